@@ -1,0 +1,31 @@
+# What every target of ours is compiled with. The determinism promise rests on -ffp-contract=off
+# (docs/architecture.md): a fused multiply-add would round differently from one machine to the next.
+add_library(ccmorse_options INTERFACE)
+target_compile_options(ccmorse_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
+  -Wold-style-cast -Woverloaded-virtual -Werror -ffp-contract=off)
+target_include_directories(ccmorse_options INTERFACE
+  ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
+if(CCMORSE_SANITIZE)
+  target_compile_options(ccmorse_options INTERFACE -fsanitize=${CCMORSE_SANITIZE}
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(ccmorse_options INTERFACE -fsanitize=${CCMORSE_SANITIZE})
+endif()
+
+# ccmorse_library(NAME sources...): one folder of src/ as a static library with our options.
+function(ccmorse_library name)
+  add_library(${name} STATIC ${ARGN})
+  target_link_libraries(${name} PRIVATE ccmorse_options)
+endfunction()
+
+# ccmorse_test(NAME sources... LIBRARIES libs...): one GoogleTest program; ctest lists every case by
+# its own name, so that `ctest -N` shows which requirement ids are verified.
+function(ccmorse_test name)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+  target_link_libraries(${name} PRIVATE ccmorse_options ${ARG_LIBRARIES} GTest::gtest_main)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_definitions(${name} PRIVATE
+    CCMORSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CCMORSE_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 120)
+endfunction()

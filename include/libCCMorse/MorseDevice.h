@@ -1,0 +1,155 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "libCCMorse/MorseValue.h"
+#include "libCCMorse/Types.h"
+
+namespace CCMorse {
+
+class MorseClient;
+class MorseRobot;
+
+/// What a device is told about itself when the client makes it.
+struct MorseDeviceInfo {
+  MorseClient* client = nullptr;      ///< outlives the device
+  MorseRobot* robot = nullptr;        ///< the robot that carries it; outlives the device
+  std::string name;                   ///< full name in the simulation, "s1r.hokuyo"
+  std::string type;                   ///< class in the simulation, "LaserScanner"; may be empty
+  std::vector<std::string> services;  ///< what it can be asked for
+};
+
+/// A component of the simulation that stores data and can share them: base of all devices
+/// (thesis 3.1.1). The client makes and owns every device; pointers stay good as long as the client
+/// object lives, closed or not. Every method may be called from any thread.
+///
+/// A component for which no class is known is a plain MorseDevice: its data can be read with
+/// GetData() after SetPolled(true), its services called with Command() and Request().
+class MorseDevice {
+ public:
+  explicit MorseDevice(const MorseDeviceInfo& info);
+  virtual ~MorseDevice();
+  MorseDevice(const MorseDevice&) = delete;
+  MorseDevice& operator=(const MorseDevice&) = delete;
+
+  /// Full name, "s1r.hokuyo".
+  const std::string& GetName() const { return info_.name; }
+  /// Name without the robot, "hokuyo".
+  std::string GetShortName() const;
+  /// Class in the simulation, "LaserScanner"; empty when the simulator did not say.
+  const std::string& GetType() const { return info_.type; }
+  /// Whether the simulator offers service `name` of this device.
+  bool HasService(const std::string& name) const;
+  /// The robot that carries the device.
+  MorseRobot& GetRobot() const { return *info_.robot; }
+  /// The client that owns the device.
+  MorseClient& GetClient() const { return *info_.client; }
+
+  /// Whether data arrived at least once.
+  bool HasData() const;
+  /// Whether the last data were complete and made sense.
+  bool IsValid() const;
+  /// Simulated time of the last data, s; 0 before the first.
+  double GetTimestamp() const;
+  /// The last data as the simulator sent them; null before the first.
+  MorseValue GetData() const;
+
+  /// Whether MorseClient::Read() asks for this device's data.
+  bool IsPolled() const;
+  /// Turns the query of this device on or off: fewer devices make a faster Read(). Sensors of known
+  /// classes start on. Throws MorseError when the device has no data to ask for.
+  void SetPolled(bool polled);
+
+  /// Queues a one-way command: it leaves with the next Read() or request. Ignored once the
+  /// connection is lost; a refusal comes out of the next Read() as a MorseError.
+  void Command(const std::string& service, const MorseArgs& args = MorseArgs());
+  /// Calls a service and waits for its answer; `timeout` in s, below 0: the client's. Throws
+  /// MorseError when it is refused, late, or the connection is lost.
+  MorseValue Request(const std::string& service, const MorseArgs& args = MorseArgs(),
+                     double timeout = -1.0) const;
+
+ protected:
+  /// Guards every field that OnData() writes; getters of derived classes hold it while they copy.
+  std::mutex& DataMutex() const;
+
+  /// Services that are called once, without arguments, when the client has connected.
+  virtual std::vector<std::string> SetupServices() const { return {}; }
+  /// Takes the answer to one of SetupServices(). Before any other thread knows the device.
+  virtual void OnSetup(const std::string& /*service*/, const MorseValue& /*answer*/) {}
+  /// Takes new data; true when they are complete and make sense. Called with DataMutex() held, so
+  /// it copies and calls none of the locking getters.
+  virtual bool OnData(const MorseValue& /*data*/) { return true; }
+
+ private:
+  friend class MorseClient;
+  void Accept(const MorseValue& data);  // DataMutex() held
+
+  const MorseDeviceInfo info_;
+  bool polled_ = false;
+  bool has_data_ = false;
+  bool valid_ = false;
+  double timestamp_ = 0.0;
+  MorseValue data_;
+};
+
+/// A class of devices as the client knows it (thesis 3.1.1).
+struct MorseDeviceClass {
+  /// Lower-case words, one of which should be part of a device's name: "hokuyo" finds "hokuyo_1".
+  std::vector<std::string> identifiers;
+  /// Classes in the simulation, "LaserScanner"; for devices that bear other names.
+  std::vector<std::string> types;
+  /// Makes the device.
+  std::function<std::unique_ptr<MorseDevice>(const MorseDeviceInfo&)> make;
+};
+
+/// Makes a class of devices known to every client that connects from now on. A later class wins
+/// over an earlier one with an equally long identifier. Returns true, so that one line at namespace
+/// scope registers it. Any thread.
+bool RegisterMorseDevice(MorseDeviceClass device_class);
+
+// What a robot asks of its devices, whatever their classes. A device class derives from the roles
+// that it can play; MorseRobot uses the first device of the robot that plays a role.
+
+/// Knows where the robot is in the world.
+class MorsePoseSource {
+ public:
+  virtual ~MorsePoseSource() = default;
+  /// Whether GetPose() means anything yet.
+  virtual bool HasPose() const = 0;
+  /// Pose in the world, m and rad.
+  virtual player_pose3d_t GetPose() const = 0;
+};
+
+/// Drives the robot by speeds.
+class MorseSpeedControl {
+ public:
+  virtual ~MorseSpeedControl() = default;
+  /// Forward speed, m/s, and turn rate, rad/s counter-clockwise.
+  virtual void SetSpeed(double v, double w) = 0;
+  /// Speeds 0.
+  virtual void Stop() = 0;
+};
+
+/// Drives the robot to a place.
+class MorseGoalControl {
+ public:
+  virtual ~MorseGoalControl() = default;
+  /// Goal in the world, m; arrival within `tolerance`, m; at most `speed`, m/s.
+  virtual void SetGoal(double x, double y, double tolerance, double speed) = 0;
+  /// Gives the goal up.
+  virtual void Stop() = 0;
+};
+
+/// Knows what does not change during a run: size, weight, proxies.
+class MorsePropertySource {
+ public:
+  virtual ~MorsePropertySource() = default;
+  /// All entries by key.
+  virtual MorseValue GetAll() const = 0;
+};
+
+}  // namespace CCMorse

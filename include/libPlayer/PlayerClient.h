@@ -1,0 +1,4 @@
+#pragma once
+
+// PlayerClient under the name that programs for SyRoTek include (thesis 3.4).
+#include "libCCMorse/PlayerClient.h"

@@ -1,0 +1,53 @@
+#include "base/image.h"
+
+#include <png.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "base/error.h"
+
+namespace ccmorse {
+
+static_assert(sizeof(Color) == 3, "rows of Color are handed to libpng as packed RGB");
+
+void WritePng(const Image& image, const std::string& path) {
+  const std::string temporary = path + ".tmp" + std::to_string(::getpid());
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = PNG_FORMAT_RGB;
+  errno = 0;
+  if (png_image_write_to_file(&png, temporary.c_str(), 0, image.pixels.data(), 0, nullptr) == 0) {
+    const std::string reason = errno != 0 ? std::strerror(errno) : png.message;
+    std::remove(temporary.c_str());
+    throw Error("cannot write " + path + ": " + reason);
+  }
+  std::error_code failed;
+  std::filesystem::rename(temporary, path, failed);
+  if (failed) {
+    std::remove(temporary.c_str());
+    throw Error("cannot write " + path + ": " + failed.message());
+  }
+}
+
+Image ReadPng(const std::string& path) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) {
+    throw Error("cannot read " + path + ": " + png.message);
+  }
+  png.format = PNG_FORMAT_RGB;
+  Image image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
+  image.pixels.resize(std::size_t{png.width} * png.height);
+  if (png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr) == 0) {
+    throw Error("cannot read " + path + ": " + png.message);
+  }
+  return image;
+}
+
+}  // namespace ccmorse

@@ -1,0 +1,59 @@
+#include "base/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/trig.h"
+
+namespace ccmorse {
+namespace {
+
+// Largest over a's edges of the smallest distance of b's corners beyond that edge.
+double GapAlongNormals(std::span<const Vec2> a, std::span<const Vec2> b) {
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec2 from = a[i];
+    const Vec2 edge = a[(i + 1) % a.size()] - from;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec2 corner : b) least = std::min(least, Cross(corner - from, edge));
+    best = std::max(best, least / std::sqrt(Dot(edge, edge)));
+  }
+  return best;
+}
+
+}  // namespace
+
+Vec2 Transform(const Pose2& frame, Vec2 point) {
+  const auto [s, c] = SinCos(frame.yaw);
+  return {frame.x + c * point.x - s * point.y, frame.y + s * point.x + c * point.y};
+}
+
+Vec2 InverseTransform(const Pose2& frame, Vec2 point) {
+  const auto [s, c] = SinCos(frame.yaw);
+  const Vec2 d{point.x - frame.x, point.y - frame.y};
+  return {c * d.x + s * d.y, c * d.y - s * d.x};
+}
+
+std::array<Vec2, 4> BoxCorners(const Pose2& centre, double size_x, double size_y) {
+  const double hx = size_x / 2.0;
+  const double hy = size_y / 2.0;
+  return {Transform(centre, {hx, hy}), Transform(centre, {-hx, hy}), Transform(centre, {-hx, -hy}),
+          Transform(centre, {hx, -hy})};
+}
+
+double ConvexGap(std::span<const Vec2> a, std::span<const Vec2> b) {
+  return std::max(GapAlongNormals(a, b), GapAlongNormals(b, a));
+}
+
+bool ConvexOverlap(std::span<const Vec2> a, std::span<const Vec2> b) { return ConvexGap(a, b) < 0; }
+
+bool Contains(std::span<const Vec2> polygon, Vec2 point) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    if (Cross(edge, point - polygon[i]) < 0.0) return false;
+  }
+  return true;
+}
+
+}  // namespace ccmorse

@@ -1,0 +1,91 @@
+#include "base/trig.h"
+
+#include <cmath>
+
+namespace ccmorse {
+namespace {
+
+// pi/2 in three parts, the first two with enough trailing zero bits that k * part is exact for
+// |k| < 2^20 (Cody and Waite's reduction).
+constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
+constexpr double kHalfPiMiddle = 6.07710050630396597660e-11;
+constexpr double kHalfPiLow = 2.02226624879595063154e-21;
+
+// Taylor polynomials: on |x| <= pi/4 the first term left out is below 1e-19.
+double SinKernel(double x) {
+  const double z = x * x;
+  double p = 1.0 / 355687428096000.0;  // 1/17!
+  p = p * z - 1.0 / 1307674368000.0;
+  p = p * z + 1.0 / 6227020800.0;
+  p = p * z - 1.0 / 39916800.0;
+  p = p * z + 1.0 / 362880.0;
+  p = p * z - 1.0 / 5040.0;
+  p = p * z + 1.0 / 120.0;
+  p = p * z - 1.0 / 6.0;
+  return x + x * z * p;
+}
+
+double CosKernel(double x) {
+  const double z = x * x;
+  double p = -1.0 / 6402373705728000.0;  // 1/18!
+  p = p * z + 1.0 / 20922789888000.0;
+  p = p * z - 1.0 / 87178291200.0;
+  p = p * z + 1.0 / 479001600.0;
+  p = p * z - 1.0 / 3628800.0;
+  p = p * z + 1.0 / 40320.0;
+  p = p * z - 1.0 / 720.0;
+  p = p * z + 1.0 / 24.0;
+  const double half = 0.5 * z;
+  const double rough = 1.0 - half;
+  return rough + (((1.0 - rough) - half) + z * z * p);  // keeps the bits that 1 - z/2 rounds away
+}
+
+}  // namespace
+
+SinCosPair SinCos(double angle) {
+  if (!std::isfinite(angle)) return {angle - angle, angle - angle};
+  const double quarter = std::nearbyint(angle * (2.0 / kPi));
+  const double x =
+      ((angle - quarter * kHalfPiHigh) - quarter * kHalfPiMiddle) - quarter * kHalfPiLow;
+  const double s = SinKernel(x);
+  const double c = CosKernel(x);
+  switch (static_cast<long long>(std::fmod(quarter, 4.0)) & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
+double NormalizeAngle(double angle) {
+  if (angle > -kPi && angle <= kPi) return angle;
+  const double wrapped = std::remainder(angle, 2.0 * kPi);  // exact by IEEE 754: no library variants
+  return wrapped <= -kPi ? kPi : wrapped;
+}
+
+double Atan2(double y, double x) {
+  const double ax = std::fabs(x);
+  const double ay = std::fabs(y);
+  const double larger = ax > ay ? ax : ay;
+  if (larger == 0.0) return 0.0;
+  // Rough angle first (error below 0.01 rad), then one Newton-like correction with our own sine:
+  // for the true angle a and the estimate e, asin of cross(e, a) is a - e up to its cube.
+  const double ratio = (ax < ay ? ax : ay) / larger;
+  double estimate = ratio * (kPi / 4.0 + 0.273 * (1.0 - ratio));
+  if (ay > ax) estimate = kPi / 2.0 - estimate;
+  if (x < 0.0) estimate = kPi - estimate;
+  if (y < 0.0) estimate = -estimate;
+  const double norm = std::sqrt(x * x + y * y);
+  for (int i = 0; i < 2; ++i) {
+    const SinCosPair e = SinCos(estimate);
+    const double d = (y * e.cos - x * e.sin) / norm;
+    estimate += d + d * d * d / 6.0 + 3.0 * d * d * d * d * d / 40.0;
+  }
+  return estimate;
+}
+
+}  // namespace ccmorse

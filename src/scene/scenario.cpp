@@ -1,0 +1,441 @@
+#include "scene/scenario.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/polygon.h"
+#include "base/trig.h"
+#include "scene/field.h"
+#include "scene/robots.h"
+#include "scene/world_file.h"
+#include "scene/world_folders.h"
+
+namespace ccmorse::scene {
+namespace {
+
+// What an absent 'world' and 'robots' stand for; parsed, so that messages name line 1.
+constexpr const char* kDefaultWorld = "\"syrotek\"";
+constexpr const char* kDefaultRobots = "[{}]";
+// In the open hall of SyRoTek's arena, a start that its users chose, too (specs: syrotek.md B);
+// free of every box, whichever are up.
+constexpr Pose2 kDefaultPose{1.20, 2.00, Radians(150.0)};
+constexpr double kFarthest = 1000.0;  // m; more is a mistake in the unit
+constexpr int kMostSamples = 10000;
+constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max();
+
+// Player's interfaces and what of a robot can serve them (thesis 4.1.2).
+const std::map<std::string, std::vector<std::string>>& DevicesOfInterface() {
+  static const std::map<std::string, std::vector<std::string>> devices = {
+      {"position2d", {"pose", "odometry"}}, {"laser", {"hokuyo"}}};
+  return devices;
+}
+
+World ReadWorldChoice(const Field& field) {
+  if (field.value().IsString()) {
+    const std::string& name = field.Text();
+    const std::vector<std::string> known = ListWorlds();
+    // Only a listed name: FindWorldFile would follow "../.." out of the folder of worlds.
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      field.FailHere(fmt::format(
+          "is {}, must be {}{} or {{\"file\": \"...\"}}", Quoted(name),
+          known.empty() ? "an installed world (there is none)" : "one of " + Listed(known),
+          DidYouMean(name, known)));
+    }
+    return LoadWorld(FindWorldFile(name));
+  }
+  if (!field.value().IsObject()) {
+    field.FailHere(
+        fmt::format("must be a world's name, {{\"file\": \"...\"}} or a world in full, not {}",
+                    field.value().TypeName()));
+  }
+  if (field.value().Find("file") == nullptr) return ReadWorld(field);
+  ObjectReader reader(field);
+  const Field name = reader.Require("file");
+  reader.Finish();
+  const std::filesystem::path folder = std::filesystem::path(field.file()).parent_path();
+  const std::filesystem::path path = folder / name.Text();
+  try {
+    return LoadWorld(path.string());
+  } catch (const Error& error) {
+    // A message that starts with the world's own file and line says more than this line would.
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored)) throw;
+    name.Fail(error.what());
+  }
+}
+
+std::string DynamicIds(const World& world) {
+  std::string ids;
+  for (const Box& box : world.boxes) {
+    if (box.dynamic) ids += (ids.empty() ? "" : ", ") + std::to_string(box.id);
+  }
+  return ids.empty() ? "this world has none" : "dynamic are " + ids;
+}
+
+void SetObstacles(const Field& list, bool raised, World& world, std::map<int, bool>& set) {
+  for (const Field& item : list.Items()) {
+    const auto id = static_cast<int>(item.Integer(1, 1000000));
+    const auto box = std::find_if(world.boxes.begin(), world.boxes.end(),
+                                  [id](const Box& candidate) { return candidate.id == id; });
+    if (box == world.boxes.end()) {
+      item.FailHere(fmt::format("is {}, which is no obstacle of world '{}'; {}", id, world.name,
+                                DynamicIds(world)));
+    }
+    if (!box->dynamic) {
+      item.FailHere(fmt::format("is {}, a box of kind '{}', which cannot be moved; {}", id,
+                                box->kind, DynamicIds(world)));
+    }
+    const auto [earlier, is_new] = set.emplace(id, raised);
+    if (!is_new && earlier->second != raised) {
+      item.FailHere(fmt::format("is {}, which is also in 'up'; remove one", id));
+    }
+    box->raised = raised;
+  }
+}
+
+void ReadObstacles(const Field& field, World& world) {
+  ObjectReader reader(field);
+  std::map<int, bool> set;
+  if (reader.Has("up")) SetObstacles(reader.Require("up"), true, world, set);
+  if (reader.Has("down")) SetObstacles(reader.Require("down"), false, world, set);
+  reader.Finish();
+}
+
+// The scanner of SyRoTek's robots as Hokuyo sells it (SCIP 2.0 manual: 1024 steps a turn, 682 of
+// them used, 5.6 m), where the thesis gives 270 degrees and 5 m (checklist Q11).
+LaserDef Urg04lx() {
+  LaserDef laser;
+  laser.resolution_deg = 360.0 / 1024.0;
+  laser.scan_window_deg = 681.0 * laser.resolution_deg;
+  laser.range = 5.6;
+  return laser;
+}
+
+// MORSE's count of beams, by repeated addition as MORSE does it (specs: morse.md H.4).
+int CountBeams(double window_deg, double resolution_deg) {
+  int beams = 0;
+  for (double angle = -window_deg / 2.0; angle <= window_deg / 2.0 && beams <= kMostSamples;
+       angle += resolution_deg) {
+    ++beams;
+  }
+  return beams;
+}
+
+// Completes what a file says of window, resolution and number of beams.
+void ReadBeams(ObjectReader& reader, LaserDef& laser) {
+  const bool has_window = reader.Has("scan_window_deg");
+  const bool has_resolution = reader.Has("resolution_deg");
+  const bool has_samples = reader.Has("samples");
+  laser.scan_window_deg =
+      reader.Number("scan_window_deg", laser.scan_window_deg, {0.0, 360.0, true});
+  laser.resolution_deg = reader.Number("resolution_deg", laser.resolution_deg, {0.0, 360.0, true});
+  laser.samples = reader.Integer("samples", laser.samples, 2, kMostSamples);
+  const Field& field = reader.field();
+  if (!has_samples && (has_window || has_resolution)) {
+    laser.samples = CountBeams(laser.scan_window_deg, laser.resolution_deg);
+    if (laser.samples < 2 || laser.samples > kMostSamples) {
+      field.FailHere(fmt::format("makes {} beams of {} degrees in steps of {}, must be 2..{}",
+                                 laser.samples < 2 ? "too few" : "too many", laser.scan_window_deg,
+                                 laser.resolution_deg, kMostSamples));
+    }
+  } else if (has_samples && !has_resolution) {
+    // So many beams spread over the window, from edge to edge.
+    laser.resolution_deg = laser.scan_window_deg / (laser.samples - 1);
+  } else if (has_samples && !has_window) {
+    laser.scan_window_deg = std::min(360.0, laser.resolution_deg * (laser.samples - 1));
+  }
+  const double span = laser.resolution_deg * (laser.samples - 1);
+  // Repeated addition can end a rounding error beyond the window.
+  if (span > laser.scan_window_deg * (1.0 + 1e-9)) {
+    field.FailHere(
+        fmt::format("has {} beams {} degrees apart, which is {:.3f} degrees and more "
+                    "than its window of {}",
+                    laser.samples, laser.resolution_deg, span, laser.scan_window_deg));
+  }
+}
+
+LaserDef ReadLaser(const Field& field, const LaserDef& delivered) {
+  static const std::vector<std::string> presets = {"thesis", "urg04lx"};
+  ObjectReader reader(field);
+  LaserDef laser = delivered;
+  if (reader.Has("preset")) {
+    laser = reader.Choice("preset", "", presets) == "thesis" ? LaserDef{} : Urg04lx();
+  }
+  laser.position = reader.Vector("position", laser.position, kFarthest);
+  laser.yaw = reader.Yaw(laser.yaw);
+  laser.frequency = reader.Number("frequency", laser.frequency, {0.0, 1000.0, true});
+  laser.range = reader.Number("range", laser.range, {0.0, kFarthest, true});
+  laser.layer_offset = reader.Number("layer_offset", laser.layer_offset, {-kFarthest, kFarthest});
+  laser.visible_arc = reader.Bool("visible_arc", laser.visible_arc);
+  ReadBeams(reader, laser);
+  reader.Finish();
+  return laser;
+}
+
+void ReadProxies(const Field& field, ProxyTable& proxies) {
+  ObjectReader reader(field);
+  for (const auto& [interface, devices] : DevicesOfInterface()) {
+    if (!reader.Has(interface)) continue;
+    const Field indexes = reader.Require(interface);
+    ObjectReader index_reader(indexes);
+    std::map<int, std::string> table;
+    for (const auto& member : indexes.value().AsObject()) {
+      const Field device = index_reader.Require(member.first);
+      const std::string& text = member.first;
+      const bool is_index = !text.empty() && text.size() <= 5 &&
+                            text.find_first_not_of("0123456789") == std::string::npos &&
+                            (text == "0" || text[0] != '0') && std::stoi(text) <= 65535;
+      if (!is_index) {
+        device.Fail(fmt::format("key {} in {} must be an index 0..65535, as \"0\"", Quoted(text),
+                                indexes.path()));
+      }
+      table[std::stoi(text)] = device.Choice(devices);
+    }
+    proxies[interface] = std::move(table);
+  }
+  reader.Finish();
+}
+
+// A driver reads its own settings; here only what no settings may have is turned down.
+void CheckSettings(const Field& field) {
+  if (field.value().IsArray()) {
+    for (const Field& item : field.Items()) CheckSettings(item);
+  } else if (field.value().IsObject()) {
+    ObjectReader reader(field);
+    for (const auto& member : field.value().AsObject()) CheckSettings(reader.Require(member.first));
+  } else if (field.value().IsNumber() && !std::isfinite(field.value().AsDouble())) {
+    field.FailHere("must be a finite number");
+  }
+}
+
+void ReadDrivers(const Field& field, std::map<std::string, Json>& drivers) {
+  ObjectReader reader(field);
+  for (const auto& member : field.value().AsObject()) {
+    const Field settings = reader.Require(member.first);
+    if (!settings.value().IsObject()) {
+      settings.FailHere(fmt::format("must be an object {{...}} of settings, not {}",
+                                    settings.value().TypeName()));
+    }
+    CheckSettings(settings);
+    drivers[member.first] = settings.value();
+  }
+}
+
+RobotDef ReadRobot(const Field& field, std::size_t number) {
+  ObjectReader reader(field);
+  RobotDef robot;
+  robot.name = number == 0 ? "s1r" : fmt::format("s1r_{}", number + 1);
+  if (reader.Has("name")) robot.name = reader.Require("name").Identifier();
+  const std::vector<std::string> types = RobotTypes();
+  robot.type = reader.Choice("type", robot.type, types);
+  const RobotModel& model = FindRobotModel(robot.type);
+  robot.proxies = model.proxies;
+  robot.laser = model.laser;
+  robot.pose = reader.Has("pose") ? ReadPose(reader.Require("pose")) : kDefaultPose;
+  robot.color = reader.ReadColor("color", robot.color);
+  if (reader.Has("proxies")) ReadProxies(reader.Require("proxies"), robot.proxies);
+  if (reader.Has("drivers")) ReadDrivers(reader.Require("drivers"), robot.drivers);
+  if (reader.Has("laser")) robot.laser = ReadLaser(reader.Require("laser"), robot.laser);
+  reader.Finish();
+  return robot;
+}
+
+std::vector<Vec2> Outline(const RobotDef& robot) {
+  std::vector<Vec2> outline;
+  for (const Vec2 corner : FindRobotModel(robot.type).footprint) {
+    outline.push_back(Transform(robot.pose, corner));
+  }
+  return outline;
+}
+
+// Throws unless the robot stands on the floor, clear of boxes and of the robots before it.
+void CheckPlace(const Scenario& scenario, std::size_t index, const Field& field) {
+  const RobotDef& robot = scenario.robots[index];
+  const std::string who =
+      fmt::format("robot '{}' at ({}, {})", robot.name, robot.pose.x, robot.pose.y);
+  const std::vector<Vec2> outline = Outline(robot);
+  const World& world = scenario.world;
+  for (const Vec2 corner : outline) {
+    if (corner.x < 0.0 || corner.y < 0.0 || corner.x > world.size_x || corner.y > world.size_y) {
+      field.Fail(fmt::format("{} does not stand on the floor of world '{}', {} x {} m; move it",
+                             who, world.name, world.size_x, world.size_y));
+    }
+  }
+  for (const Box& box : world.boxes) {
+    if (box.raised && ConvexOverlap(outline, BoxCorners(box.pose, box.size_x, box.size_y))) {
+      field.Fail(fmt::format("{} overlaps box {} ({}) at ({}, {}); move it{}", who, box.id,
+                             box.kind, box.pose.x, box.pose.y,
+                             box.dynamic ? " or lower the box" : ""));
+    }
+  }
+  for (std::size_t i = 0; i < index; ++i) {
+    const RobotDef& other = scenario.robots[i];
+    if (ConvexOverlap(outline, Outline(other))) {
+      field.Fail(fmt::format("{} overlaps robot '{}' at ({}, {}); move one of them", who,
+                             other.name, other.pose.x, other.pose.y));
+    }
+  }
+}
+
+void ReadRobots(const Field& field, Scenario& scenario) {
+  const std::vector<Field> items = field.Items();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    RobotDef robot = ReadRobot(items[i], i);
+    for (std::size_t k = 0; k < i; ++k) {
+      if (scenario.robots[k].name != robot.name) continue;
+      items[i].Fail(
+          fmt::format("two robots are called '{}', the first on line {}; give this one "
+                      "another 'name'",
+                      robot.name, items[k].line()));
+    }
+    scenario.robots.push_back(std::move(robot));
+    CheckPlace(scenario, i, items[i]);
+  }
+}
+
+CanvasDef ReadCanvas(const Field& field) {
+  static const std::vector<std::string> modes = {"ground", "minimap", "fullscreen"};
+  ObjectReader reader(field);
+  CanvasDef canvas;
+  canvas.width = reader.Integer("width", canvas.width, 1, 4096);
+  canvas.height = reader.Integer("height", canvas.height, 1, 4096);
+  canvas.alpha = reader.Number("alpha", canvas.alpha, {0.0, 1.0});
+  canvas.mode = reader.Choice("mode", canvas.mode, modes);
+  canvas.mode_switching = reader.Bool("mode_switching", canvas.mode_switching);
+  reader.Finish();
+  return canvas;
+}
+
+CameraDef ReadCamera(const Field& field) {
+  ObjectReader reader(field);
+  CameraDef camera;
+  camera.position = reader.Vector("position", camera.position, kFarthest);
+  camera.rotation = reader.Vector("rotation", camera.rotation, 20.0 * kPi);
+  reader.Finish();
+  return camera;
+}
+
+TimeDef ReadTime(const Field& field) {
+  // The last two are MORSE's names: BestEffort keeps to real time, FixedSimulationStep does not
+  // wait for it (specs: morse.md E, Environment.set_time_strategy).
+  static const std::vector<std::string> strategies = {"realtime", "lockstep", "max", "best_effort",
+                                                      "fixed_simulation_step"};
+  ObjectReader reader(field);
+  TimeDef time;
+  time.frequency = reader.Number("frequency", time.frequency, {1.0, 1000.0});
+  time.strategy = reader.Choice("strategy", time.strategy, strategies);
+  if (time.strategy == "best_effort") time.strategy = "realtime";
+  if (time.strategy == "fixed_simulation_step") time.strategy = "max";
+  time.factor = reader.Number("factor", time.factor, {0.0, 1000.0, true});
+  time.read_frequency = reader.Number("read_frequency", time.read_frequency, {0.0, 1000.0, true});
+  reader.Finish();
+  return time;
+}
+
+Scenario ReadScenario(const Json& json, const std::string& file) {
+  Scenario scenario;
+  scenario.name = std::filesystem::path(file).stem().string();
+  ObjectReader reader(Field(json, "", file));
+  if (reader.Has("world")) {
+    scenario.world = ReadWorldChoice(reader.Require("world"));
+  } else {
+    const Json world = Json::Parse(kDefaultWorld);
+    scenario.world = ReadWorldChoice(Field(world, "world", file));
+  }
+  if (reader.Has("obstacles")) ReadObstacles(reader.Require("obstacles"), scenario.world);
+  if (reader.Has("robots")) {
+    ReadRobots(reader.Require("robots"), scenario);
+  } else {
+    const Json robots = Json::Parse(kDefaultRobots);
+    ReadRobots(Field(robots, "robots", file), scenario);
+  }
+  if (reader.Has("canvas")) scenario.canvas = ReadCanvas(reader.Require("canvas"));
+  if (reader.Has("camera")) scenario.camera = ReadCamera(reader.Require("camera"));
+  if (reader.Has("time")) scenario.time = ReadTime(reader.Require("time"));
+  if (reader.Has("seed")) {
+    scenario.seed = static_cast<std::uint64_t>(reader.Require("seed").Integer(0, kMostSeed));
+  }
+  reader.Finish();
+  return scenario;
+}
+
+Json LaserToJson(const LaserDef& laser) {
+  return Json::Object{{"position", VectorToJson(laser.position)},
+                      {"yaw", laser.yaw},
+                      {"frequency", laser.frequency},
+                      {"scan_window_deg", laser.scan_window_deg},
+                      {"resolution_deg", laser.resolution_deg},
+                      {"range", laser.range},
+                      {"layer_offset", laser.layer_offset},
+                      {"visible_arc", laser.visible_arc},
+                      {"samples", laser.samples}};
+}
+
+Json RobotToJson(const RobotDef& robot) {
+  Json::Object proxies;
+  for (const auto& [interface, table] : robot.proxies) {
+    Json::Object indexes;
+    for (const auto& [index, device] : table) indexes.emplace_back(std::to_string(index), device);
+    proxies.emplace_back(interface, std::move(indexes));
+  }
+  Json::Object drivers;
+  for (const auto& [name, settings] : robot.drivers) drivers.emplace_back(name, settings);
+  return Json::Object{{"name", robot.name},
+                      {"type", robot.type},
+                      {"pose", PoseToJson(robot.pose)},
+                      {"color", ColorText(robot.color)},
+                      {"proxies", std::move(proxies)},
+                      {"drivers", std::move(drivers)},
+                      {"laser", LaserToJson(robot.laser)}};
+}
+
+}  // namespace
+
+Scenario ParseScenario(const std::string& text, const std::string& file) {
+  try {
+    return ReadScenario(Json::Parse(text), file);
+  } catch (const JsonError& error) {
+    throw Error(
+        fmt::format("{}:{}: {} (column {})", file, error.line(), error.reason(), error.column()));
+  }
+}
+
+Scenario LoadScenario(const std::string& file) { return ParseScenario(ReadFile(file), file); }
+
+Json ToJson(const Scenario& scenario) {
+  Json::Array up;
+  for (const Box& box : scenario.world.boxes) {
+    if (box.dynamic && box.raised) up.emplace_back(box.id);
+  }
+  Json::Array robots;
+  for (const RobotDef& robot : scenario.robots) robots.push_back(RobotToJson(robot));
+  const CanvasDef& canvas = scenario.canvas;
+  const TimeDef& time = scenario.time;
+  return Json::Object{
+      {"world", WorldToJson(scenario.world)},
+      {"obstacles", Json::Object{{"up", std::move(up)}}},
+      {"robots", std::move(robots)},
+      {"canvas", Json::Object{{"width", canvas.width},
+                              {"height", canvas.height},
+                              {"alpha", canvas.alpha},
+                              {"mode", canvas.mode},
+                              {"mode_switching", canvas.mode_switching}}},
+      {"camera", Json::Object{{"position", VectorToJson(scenario.camera.position)},
+                              {"rotation", VectorToJson(scenario.camera.rotation)}}},
+      {"time", Json::Object{{"frequency", time.frequency},
+                            {"strategy", time.strategy},
+                            {"factor", time.factor},
+                            {"read_frequency", time.read_frequency}}},
+      {"seed", static_cast<std::int64_t>(scenario.seed)}};
+}
+
+}  // namespace ccmorse::scene

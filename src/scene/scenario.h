@@ -1,0 +1,131 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+#include "base/json.h"
+#include "base/pose.h"
+
+namespace ccmorse::scene {
+
+/// One box of the world: upright, on the floor (thesis 4.1.1; specs: syrotek.md B).
+struct Box {
+  int id = 0;               ///< unique in the world, from 1
+  std::string kind;         ///< "border", "dock_separator", "static", "dynamic_slab", "dynamic_pillar"
+  Pose2 pose;               ///< centre, m, and yaw, rad
+  double size_x = 0.0;      ///< m, along the box's own x, > 0
+  double size_y = 0.0;      ///< m, along the box's own y, > 0
+  double height = 0.0;      ///< m, > 0; from the floor up
+  Color color;              ///< what a viewer shows
+  bool dynamic = false;     ///< can be raised and lowered
+  bool raised = true;       ///< stands in the world; always true for what is not dynamic
+};
+
+/// A lamp of the world (thesis 4.1.1, W07); only views use it.
+struct Light {
+  std::string kind;         ///< "sun" or "spot"
+  Vec3 position;            ///< m; for the sun, the direction it shines from
+  double energy = 1.0;      ///< relative, >= 0
+  bool shadows = false;     ///< casts shadows
+};
+
+/// The world: a rectangular floor with boxes on it; the origin is the floor's bottom-left corner.
+struct World {
+  std::string name;             ///< "syrotek"
+  double size_x = 0.0;          ///< m, > 0
+  double size_y = 0.0;          ///< m, > 0
+  Color floor{255, 255, 255};
+  std::vector<Box> boxes;       ///< in order of id
+  std::vector<Pose2> docks;     ///< parking places, m and rad: in the bay, facing out of it
+  std::vector<Light> lights;
+};
+
+/// A planar laser scanner with MORSE's parameters (specs: morse.md H.4; thesis 4.1.2).
+/// Where a file gives window or resolution but no samples, MORSE's rule counts the beams: from
+/// -window/2 in steps of the resolution while not beyond +window/2. The thesis's 270 deg / 0.39589
+/// would be 683 by that rule, but the thesis and its program say 682, so the default says it, too.
+struct LaserDef {
+  Vec3 position{0.035, 0.0, 0.0};   ///< on the robot, m; z from the robot's origin
+  double yaw = 0.0;                 ///< on the robot, rad
+  double frequency = 10.0;          ///< Hz, > 0
+  double scan_window_deg = 270.0;   ///< degrees, (0, 360]
+  double resolution_deg = 0.39589;  ///< degrees from beam to beam, > 0
+  double range = 5.0;               ///< m, > 0; what a beam without a hit returns
+  double layer_offset = 0.125;      ///< m; kept for MORSE's configuration, no effect with one layer
+  bool visible_arc = false;         ///< drawn by a viewer
+  int samples = 682;                ///< beams, 2..10000; first at -window/2, counter-clockwise
+};
+
+/// What one robot carries under Player's names (thesis 3.2: "indexes of proxies available").
+/// interface name -> index -> device of the robot that serves it, for example
+/// position2d: {0: "pose", 2: "pose", 3: "odometry"}, laser: {0: "hokuyo"}.
+using ProxyTable = std::map<std::string, std::map<int, std::string>>;
+
+/// One robot of the scenario.
+struct RobotDef {
+  std::string name = "s1r";         ///< unique; letters, digits, _ (thesis 4.1.2: no two alike)
+  std::string type = "S1R";         ///< a type of robots.h
+  Pose2 pose;                       ///< start, m and rad
+  Color color{60, 110, 190};
+  ProxyTable proxies;               ///< defaults of the type where not given
+  std::map<std::string, Json> drivers;  ///< driver name ("snd") -> object of its settings, as given
+  LaserDef laser;
+};
+
+/// The grid-map canvas (thesis 4.2.1).
+struct CanvasDef {
+  int width = 172;                  ///< cells, 1..4096
+  int height = 186;                 ///< cells, 1..4096
+  double alpha = 1.0;               ///< 0 transparent .. 1 opaque, fixed at start
+  std::string mode = "ground";      ///< "ground", "minimap" or "fullscreen"
+  bool mode_switching = true;       ///< may the user change the mode
+};
+
+/// The viewer's camera at start: MORSE's set_camera_location and set_camera_rotation.
+struct CameraDef {
+  Vec3 position{1.71, -3.2, 4.2};   ///< m
+  Vec3 rotation{0.75, 0.0, 0.0};    ///< Euler angles XYZ, rad; (0,0,0) looks straight down
+};
+
+/// Simulated time (thesis 3.2 "simulation-time strategy"; design: Time).
+struct TimeDef {
+  double frequency = 60.0;          ///< ticks per simulated second, Hz, 1..1000
+  std::string strategy = "realtime";  ///< pace: "realtime", "lockstep" or "max"
+  double factor = 1.0;              ///< simulated seconds per wall second in real time, (0, 1000]
+  double read_frequency = 10.0;     ///< how often a client's Read() gets data, Hz, > 0
+};
+
+/// Everything a run starts from. The defaults are those of an empty file: the SyRoTek arena with
+/// all dynamic obstacles down and one S1R in it.
+struct Scenario {
+  std::string name;                 ///< file name without folder and ending
+  World world;
+  std::vector<RobotDef> robots;
+  CanvasDef canvas;
+  CameraDef camera;
+  TimeDef time;
+  std::uint64_t seed = 1;
+};
+
+/// Reads and checks a scenario. `file` names it in messages and is the folder that relative names
+/// start from. Throws Error "FILE:LINE: ..." with the key and the nearest known one.
+Scenario ParseScenario(const std::string& text, const std::string& file);
+Scenario LoadScenario(const std::string& file);
+
+/// The scenario with all defaults filled in, in the same form that ParseScenario reads.
+Json ToJson(const Scenario& scenario);
+
+/// Where `name` is found: a path that exists; else NAME.json in a folder of worlds/ (NAME may be
+/// written folder/NAME, and a folder's own name means the scenario of that name in it). Looks in
+/// $CCMORSE_WORLDS, the source tree it was built from, and where it is installed.
+/// Throws Error that names the places looked at and the scenarios there are.
+std::string FindScenario(const std::string& name);
+
+/// Names that FindScenario knows, sorted.
+std::vector<std::string> ListScenarios();
+
+}  // namespace ccmorse::scene

@@ -1,0 +1,203 @@
+#include "scene/world_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+
+namespace ccmorse::scene {
+namespace {
+
+constexpr double kLargestSize = 1000.0;  // m; a floor of a kilometre is a mistake in the unit
+const Range kCoordinate{-kLargestSize, kLargestSize};
+const Range kSize{0.0, kLargestSize, true};
+
+// What the boxes of one kind have in common; also what a box says of itself.
+struct Look {
+  double height = 0.0;  // 0: not given
+  Color color;
+  bool has_color = false;
+  bool dynamic = false;
+  bool raised = true;
+};
+
+Look ReadLook(ObjectReader& reader, const Look& fallback) {
+  Look look = fallback;
+  look.height = reader.Number("height", fallback.height, kSize);
+  if (reader.Has("color")) {
+    look.color = reader.Require("color").ReadColor();
+    look.has_color = true;
+  }
+  look.dynamic = reader.Bool("dynamic", fallback.dynamic);
+  look.raised = reader.Bool("raised", fallback.raised);
+  if (!look.dynamic && !look.raised) {
+    const char* const key = reader.Has("raised") ? "raised" : "dynamic";
+    reader.Require(key).FailHere("leaves a box down that is not dynamic; make it dynamic");
+  }
+  return look;
+}
+
+std::map<std::string, Look> ReadKinds(const Field& field) {
+  std::map<std::string, Look> kinds;
+  ObjectReader reader(field);
+  for (const auto& member : field.value().AsObject()) {
+    ObjectReader kind(reader.Require(member.first));
+    kinds[member.first] = ReadLook(kind, {});
+    kind.Finish();
+  }
+  return kinds;
+}
+
+Box ReadBox(const Field& field, const std::map<std::string, Look>& kinds) {
+  ObjectReader reader(field);
+  Box box;
+  box.id = static_cast<int>(reader.Require("id").Integer(1, 1000000));
+  const Field kind = reader.Require("kind");
+  box.kind = kind.Identifier();
+  Look look;
+  if (!kinds.empty()) {
+    const auto found = kinds.find(box.kind);
+    if (found == kinds.end()) {
+      std::vector<std::string> names;
+      for (const auto& entry : kinds) names.push_back(entry.first);
+      kind.FailHere(fmt::format("is {}, must be one of {}{}", Quoted(box.kind), Listed(names),
+                                DidYouMean(box.kind, names)));
+    }
+    look = found->second;
+  }
+  look = ReadLook(reader, look);
+  if (look.height == 0.0) static_cast<void>(reader.Require("height"));
+  if (!look.has_color) static_cast<void>(reader.Require("color"));
+  box.height = look.height;
+  box.color = look.color;
+  box.dynamic = look.dynamic;
+  box.raised = look.raised;
+  box.pose.x = reader.Require("x").Number(kCoordinate);
+  box.pose.y = reader.Require("y").Number(kCoordinate);
+  box.pose.yaw = reader.Yaw(0.0);
+  const Field size = reader.Require("size");
+  const std::vector<Field> sides = size.Items();
+  if (sides.size() != 2) size.FailHere(fmt::format("has {} numbers, must be [x, y]", sides.size()));
+  box.size_x = sides[0].Number(kSize);
+  box.size_y = sides[1].Number(kSize);
+  reader.Finish();
+  return box;
+}
+
+std::vector<Box> ReadBoxes(const Field& field, const std::map<std::string, Look>& kinds) {
+  std::vector<Box> boxes;
+  std::map<int, int> line_of_id;
+  for (const Field& item : field.Items()) {
+    Box box = ReadBox(item, kinds);
+    const auto [other, is_new] = line_of_id.emplace(box.id, item.line());
+    if (!is_new) {
+      item.FailHere(fmt::format("has id {}, as has the box on line {}; ids must be unique", box.id,
+                                other->second));
+    }
+    boxes.push_back(std::move(box));
+  }
+  std::sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.id < b.id; });
+  return boxes;
+}
+
+Light ReadLight(const Field& field) {
+  static const std::vector<std::string> kinds = {"sun", "spot"};
+  ObjectReader reader(field);
+  Light light;
+  light.kind = reader.Require("kind").Choice(kinds);
+  light.position = reader.Require("position").Vector(kLargestSize);
+  light.energy = reader.Number("energy", light.energy, {0.0, 1000.0});
+  light.shadows = reader.Bool("shadows", light.shadows);
+  reader.Finish();
+  return light;
+}
+
+}  // namespace
+
+World ReadWorld(const Field& field) {
+  ObjectReader reader(field);
+  World world;
+  world.name = reader.Require("name").Identifier();
+  const Field size = reader.Require("size");
+  const std::vector<Field> sides = size.Items();
+  if (sides.size() != 2) size.FailHere(fmt::format("has {} numbers, must be [x, y]", sides.size()));
+  world.size_x = sides[0].Number(kSize);
+  world.size_y = sides[1].Number(kSize);
+  world.floor = reader.ReadColor("floor", world.floor);
+  std::map<std::string, Look> kinds;
+  if (reader.Has("kinds")) kinds = ReadKinds(reader.Require("kinds"));
+  if (reader.Has("boxes")) world.boxes = ReadBoxes(reader.Require("boxes"), kinds);
+  if (reader.Has("docks")) {
+    for (const Field& dock : reader.Require("docks").Items()) world.docks.push_back(ReadPose(dock));
+  }
+  if (reader.Has("lights")) {
+    for (const Field& light : reader.Require("lights").Items()) {
+      world.lights.push_back(ReadLight(light));
+    }
+  }
+  reader.Finish();
+  return world;
+}
+
+World LoadWorld(const std::string& path) {
+  const std::string text = ReadFile(path);
+  try {
+    const Json json = Json::Parse(text);
+    return ReadWorld(Field(json, "", path));
+  } catch (const JsonError& error) {
+    throw Error(
+        fmt::format("{}:{}: {} (column {})", path, error.line(), error.reason(), error.column()));
+  }
+}
+
+Json WorldToJson(const World& world) {
+  Json::Array boxes;
+  for (const Box& box : world.boxes) {
+    Json::Object object = {{"id", box.id},         {"kind", box.kind},
+                           {"x", box.pose.x},      {"y", box.pose.y},
+                           {"yaw", box.pose.yaw},  {"size", Json::Array{box.size_x, box.size_y}},
+                           {"height", box.height}, {"color", ColorText(box.color)}};
+    if (box.dynamic) {
+      object.emplace_back("dynamic", true);
+      object.emplace_back("raised", false);
+    }
+    boxes.emplace_back(std::move(object));
+  }
+  Json::Array docks;
+  for (const Pose2& dock : world.docks) docks.push_back(PoseToJson(dock));
+  Json::Array lights;
+  for (const Light& light : world.lights) {
+    lights.emplace_back(Json::Object{{"kind", light.kind},
+                                     {"position", VectorToJson(light.position)},
+                                     {"energy", light.energy},
+                                     {"shadows", light.shadows}});
+  }
+  return Json::Object{{"name", world.name},
+                      {"size", Json::Array{world.size_x, world.size_y}},
+                      {"floor", ColorText(world.floor)},
+                      {"boxes", std::move(boxes)},
+                      {"docks", std::move(docks)},
+                      {"lights", std::move(lights)}};
+}
+
+Pose2 ReadPose(const Field& field) {
+  ObjectReader reader(field);
+  Pose2 pose;
+  pose.x = reader.Require("x").Number(kCoordinate);
+  pose.y = reader.Require("y").Number(kCoordinate);
+  pose.yaw = reader.Yaw(0.0);
+  reader.Finish();
+  return pose;
+}
+
+Json PoseToJson(const Pose2& pose) {
+  return Json::Object{{"x", pose.x}, {"y", pose.y}, {"yaw", pose.yaw}};
+}
+
+Json VectorToJson(const Vec3& vector) { return Json::Array{vector.x, vector.y, vector.z}; }
+
+}  // namespace ccmorse::scene

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "scene/field.h"
+#include "scene/scenario.h"
+
+namespace ccmorse::scene {
+
+/// Reads a world in full: name, size [x, y], floor, kinds, boxes, docks, lights. `kinds` gives the
+/// boxes of each kind their height, colour and mobility, which a single box may override; without
+/// `kinds` every box says all of it. Throws Error.
+World ReadWorld(const Field& field);
+
+/// Reads the world file at `path`. Throws Error that names it.
+World LoadWorld(const std::string& path);
+
+/// The world as ReadWorld reads it, with all dynamic boxes down: which are up is the scenario's.
+Json WorldToJson(const World& world);
+
+/// {"x": , "y": , "yaw": } (or "yaw_deg"); x and y must be given, yaw is 0 where it is not.
+Pose2 ReadPose(const Field& field);
+Json PoseToJson(const Pose2& pose);
+Json VectorToJson(const Vec3& vector);
+
+}  // namespace ccmorse::scene

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "servers/morse/service_directory.h"
+#include "sim/simulation.h"
+
+namespace ccmorse::servers {
+
+/// Where and within which limits MORSE's protocol is served. Beyond a limit the one connection that
+/// breaks it suffers, with a line in the log; the simulation goes on.
+struct MorseServerOptions {
+  std::string bind = "127.0.0.1";  ///< address to listen on
+  int port = 4000;                 ///< of the services; 0: any free one
+  int first_stream_port = 60000;   ///< streams take the next free ports from here; 0: any free ones
+  std::size_t most_clients = 256;         ///< connections to the service port
+  std::size_t most_stream_clients = 512;  ///< connections to all stream ports together
+  std::size_t longest_request = 4U << 20;       ///< bytes of one line to the service port
+  std::size_t longest_stream_line = 64U << 10;  ///< bytes of one line to an actuator's stream
+  std::size_t most_unread = 16U << 20;          ///< bytes of replies a client may leave unread
+};
+
+/// MORSE's socket middleware for one simulation (specs: morse.md A): services on one port, a stream port
+/// for each component that has one, and the services of docs/protocols/ccmorse-services.md. It does
+/// its work in handlers of the io_context, on the thread that runs it, which must be the thread
+/// that advances the simulation; each handler is short.
+class MorseServer {
+ public:
+  /// What `ccmorse hello` tells of the run.
+  struct Pace {
+    std::string name = "realtime";  ///< "realtime", "lockstep" or "max"
+    double read_frequency = 10.0;   ///< Hz of simulated time
+  };
+
+  /// Listens. Throws Error that names the port when it is taken. `control.stream_port` is filled in.
+  MorseServer(boost::asio::io_context& io, sim::Simulation& simulation, RunControl control,
+              const Pace& pace, const MorseServerOptions& options);
+  ~MorseServer();
+
+  int port() const;
+
+  /// After Simulation::Sense(): sends the streams, and answers each `read` whose time has come.
+  void Sensed();
+  /// Before Simulation::Act(): gives actuators the newest line of their streams.
+  void ApplyStreams();
+  /// After Simulation::Act().
+  void TimeAdvanced();
+
+  /// Lock-step: has every client that reads asked for its next data, and is there one at all?
+  bool ClientsAreWaiting() const;
+  /// Has any client ever sent a `read` and not yet left?
+  bool HasReaders() const;
+  /// Answers every `read`, now and from now on, with FAILED `reason`.
+  void EndReads(const std::string& reason);
+
+  /// How many samples of a sensor clients have fetched by get_local_data or a stream, each once.
+  std::uint64_t SamplesUsed(const std::string& full_name) const;
+
+ private:
+  struct Shared;
+  class ServiceConnection;
+  class StreamPort;
+  std::shared_ptr<Shared> shared_;
+};
+
+}  // namespace ccmorse::servers

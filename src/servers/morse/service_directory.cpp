@@ -1,0 +1,414 @@
+#include "servers/morse/service_directory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/log.h"
+#include "base/polygon.h"
+#include "base/trig.h"
+
+namespace ccmorse::servers {
+namespace {
+
+using sim::Arguments;
+using sim::Outcome;
+using sim::Service;
+using sim::ServiceFailed;
+using sim::WrongArgument;
+
+// Python's list of names in its TypeError texts: 'a' / 'a' and 'b' / 'a', 'b', and 'c'.
+std::string QuotedNames(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += names.size() == 2 ? " and " : i + 1 == names.size() ? ", and " : ", ";
+    text += "'" + names[i] + "'";
+  }
+  return text;
+}
+
+// What Python says of a call with the wrong number of arguments; "" when the number is right.
+// Methods count `self`, as Python does.
+std::string ArityComplaint(const Service& service, std::size_t given) {
+  std::vector<std::string> missing;
+  std::size_t required = 0;
+  for (const sim::ServiceParameter& parameter : service.parameters) {
+    if (parameter.optional) continue;
+    ++required;
+    if (required > given) missing.push_back(parameter.name);
+  }
+  if (!missing.empty()) {
+    return service.name + "() missing " + std::to_string(missing.size()) +
+           " required positional argument" + (missing.size() == 1 ? "" : "s") + ": " +
+           QuotedNames(missing);
+  }
+  const std::size_t most = service.parameters.size();
+  if (given <= most) return "";
+  const std::string takes =
+      required == most ? std::to_string(most + 1)
+                       : "from " + std::to_string(required + 1) + " to " + std::to_string(most + 1);
+  return service.name + "() takes " + takes + " positional argument" +
+         (required == most && most == 0 ? "" : "s") + " but " + std::to_string(given + 1) +
+         (given == 0 ? " was" : " were") + " given";
+}
+
+Vec3 PointArgument(Arguments arguments, std::size_t index, const char* name) {
+  const Json& value = arguments[index];
+  if (!value.IsArray() || value.AsArray().size() != 3) {
+    throw WrongArgument(std::string(name) + " must be [x, y, z]");
+  }
+  const Json::Array& parts = value.AsArray();
+  return {sim::NumberArgument(parts, 0, "x"), sim::NumberArgument(parts, 1, "y"),
+          sim::NumberArgument(parts, 2, "z")};
+}
+
+Json ToJson(Vec3 v) { return Json(Json::Array{v.x, v.y, v.z}); }
+
+Json YawQuaternion(double yaw) {
+  const auto [s, c] = SinCos(yaw / 2.0);
+  return Json(Json::Array{0.0, 0.0, s, c});
+}
+
+}  // namespace
+
+ServiceDirectory::ServiceDirectory(sim::Simulation& simulation, RunControl control)
+    : simulation_(simulation),
+      control_(std::move(control)),
+      camera_(simulation.scenario().camera.position) {
+  for (sim::Component* component : simulation_.components()) AddComponentServices(*component);
+  AddSimulationServices();
+  AddTimeServices();
+  AddCommunicationServices();
+}
+
+bool ServiceDirectory::HasStream(const sim::Component& component) {
+  return component.type() != "Pen";
+}
+
+void ServiceDirectory::Add(const std::string& component, Service service) {
+  std::string name = service.name;
+  services_[component].insert_or_assign(std::move(name), std::move(service));
+}
+
+void ServiceDirectory::Call(std::string_view component, std::string_view service,
+                            std::string_view parameters, sim::Completion done) {
+  const std::string name(service);
+  const auto fail = [&done](std::string text) { done({Outcome::kFailed, Json(std::move(text))}); };
+
+  const auto table = services_.find(component);
+  const Service* found = nullptr;
+  if (table != services_.end()) {
+    const auto entry = table->second.find(service);
+    if (entry != table->second.end()) found = &entry->second;
+  }
+  if (found == nullptr) {
+    return fail("The request " + name + " has not been registered in Socket service manager");
+  }
+
+  Json::Array arguments;
+  if (!parameters.empty()) {
+    std::string reason;
+    try {
+      Json parsed = Json::Parse(parameters);
+      if (parsed.IsArray()) {
+        arguments = std::move(parsed.AsArray());
+      } else {
+        reason = std::string("Expecting a list, not ") + parsed.TypeName();
+      }
+    } catch (const JsonError& error) {
+      reason = error.what();
+    }
+    if (!reason.empty()) {
+      constexpr std::size_t kShown = 1000;
+      return fail("Invalid request syntax: error while parsing the parameters: " +
+                  std::string(parameters.substr(0, kShown)) + ". " + reason);
+    }
+  }
+  const std::string complaint = ArityComplaint(*found, arguments.size());
+  if (!complaint.empty()) {
+    return fail(arguments.empty() ? "Socket service manager: parameters expected for service " +
+                                        name + "! " + complaint
+                                  : "Socket service manager: wrong # of parameters for service " +
+                                        name + ". " + complaint);
+  }
+  try {
+    if (found->text) {
+      done({Outcome::kSuccess, Json(), found->text()});
+    } else if (found->run) {
+      Json value = found->run(arguments);
+      done({Outcome::kSuccess, std::move(value)});
+    } else {
+      found->start(arguments, done);
+    }
+  } catch (const ServiceFailed& error) {
+    fail(error.what());
+  } catch (const WrongArgument& error) {
+    fail("Socket service manager: wrong parameter type for service " + name + ". " + error.what());
+  }
+}
+
+void ServiceDirectory::AddComponentServices(sim::Component& component) {
+  const std::string& full_name = component.full_name();
+  for (const Service& service : component.services()) Add(full_name, service);
+  if (dynamic_cast<sim::Sensor*>(&component) != nullptr) {
+    Add(full_name, {"get_local_data", {}, nullptr, nullptr,
+                    [&component]() -> const std::string& { return component.LocalData(); }});
+  }
+  Add(full_name, {"get_configurations", {}, [&component](Arguments) {
+                    Json configurations = component.Configurations();
+                    configurations.Set(
+                        "object_to_robot",
+                        Json::Object{
+                            {"rotation", Json::Array{Json::Array{1.0, 0.0, 0.0},
+                                                     Json::Array{0.0, 1.0, 0.0},
+                                                     Json::Array{0.0, 0.0, 1.0}}},
+                            {"translation", ToJson(component.mount())}});
+                    return Json(Json::Object{{"configurations", std::move(configurations)}});
+                  }});
+  Add(full_name, {"get_properties", {}, [&component](Arguments) {
+                    // [value, type, doc, python attribute], as MORSE lists a property.
+                    Json properties(Json::Object{});
+                    const Json configurations = component.Configurations();
+                    for (const auto& [key, value] : configurations.AsObject()) {
+                      const char* const type = value.IsBool()     ? "bool"
+                                               : value.IsInt()    ? "int"
+                                               : value.IsNumber() ? "float"
+                                                                  : "string";
+                      properties.Set(key, Json::Array{value, type, "", key});
+                    }
+                    return Json(Json::Object{{"properties", std::move(properties)}});
+                  }});
+  Add(full_name,
+      {"set_property", {{"name"}, {"value"}},
+       [&component](Arguments arguments) -> Json {
+         const std::string& property = sim::StringArgument(arguments, 0, "name");
+         if (component.Configurations().Find(property) == nullptr) {
+           throw ServiceFailed("Property " + property + " does not exist for object " +
+                               component.full_name());
+         }
+         throw ServiceFailed("Property " + property + " of " + component.full_name() +
+                             " is fixed when the simulation starts; set it in the scenario");
+       }});
+}
+
+sim::Component& ServiceDirectory::ComponentArgument(Arguments arguments, const char* verb) const {
+  const std::string& name = sim::StringArgument(arguments, 0, "component_name");
+  sim::Component* component = simulation_.FindComponent(name);
+  if (component == nullptr) {
+    throw ServiceFailed("Component '" + name + "' not found. Can't " + verb);
+  }
+  return *component;
+}
+
+void ServiceDirectory::AddSimulationServices() {
+  const auto add = [this](const char* name, std::vector<sim::ServiceParameter> parameters,
+                          std::function<Json(Arguments)> run) {
+    Add("simulation", {name, std::move(parameters), std::move(run)});
+  };
+  add("list_robots", {}, [this](Arguments) {
+    Json::Array names;
+    for (const auto& robot : simulation_.robots()) names.push_back(robot->name());
+    return Json(std::move(names));
+  });
+  add("list_streams", {}, [this](Arguments) {
+    Json::Array names;
+    for (const sim::Component* component : simulation_.components()) {
+      if (HasStream(*component)) names.push_back(component->full_name());
+    }
+    return Json(std::move(names));
+  });
+  add("get_stream_port", {{"name"}}, [this](Arguments arguments) {
+    const std::string& name = sim::StringArgument(arguments, 0, "name");
+    const sim::Component* component = simulation_.FindComponent(name);
+    const int port = component == nullptr ? 0 : control_.stream_port(*component);
+    if (port == 0) throw ServiceFailed("Stream unavailable for component " + name);
+    return Json(port);
+  });
+  add("get_all_stream_ports", {}, [this](Arguments) {
+    Json ports(Json::Object{});
+    for (const sim::Component* component : simulation_.components()) {
+      const int port = control_.stream_port(*component);
+      if (port != 0) ports.Set(component->full_name(), port);
+    }
+    return ports;
+  });
+  add("details", {}, [this](Arguments) { return Details(); });
+  add("reset_objects", {}, [this](Arguments) {
+    simulation_.ResetObjects();
+    return Json("Objects restored to initial position");
+  });
+  for (const char* name : {"quit", "terminate"}) {
+    add(name, {}, [this](Arguments) {
+      control_.quit();
+      return Json();
+    });
+  }
+  add("activate", {{"component_name"}}, [this](Arguments arguments) {
+    ComponentArgument(arguments, "activate").set_active(true);
+    return Json();
+  });
+  add("deactivate", {{"component_name"}}, [this](Arguments arguments) {
+    ComponentArgument(arguments, "deactivate").set_active(false);
+    return Json();
+  });
+  add("suspend_dynamics", {}, [this](Arguments) {
+    simulation_.set_physics(false);
+    return Json("Physics is suspended");
+  });
+  add("restore_dynamics", {}, [this](Arguments) {
+    simulation_.set_physics(true);
+    return Json("Physics is resumed");
+  });
+  add("set_log_level", {{"component"}, {"level"}}, [](Arguments arguments) {
+    sim::StringArgument(arguments, 0, "component");
+    const std::string& level = sim::StringArgument(arguments, 1, "level");
+    static const std::map<std::string, LogLevel> kLevels = {
+        {"DEBUG", LogLevel::kDebug},     {"INFO", LogLevel::kInfo},
+        {"WARNING", LogLevel::kWarning}, {"ERROR", LogLevel::kError},
+        {"CRITICAL", LogLevel::kError}};
+    const auto found = kLevels.find(level);
+    if (found == kLevels.end()) throw ServiceFailed("Unknown level: '" + level + "'");
+    SetLogLevel(found->second);
+    return Json();
+  });
+  add("get_scene_objects", {}, [this](Arguments) { return SceneObjects(); });
+  add("set_object_position", {{"object_name"}, {"position"}, {"orientation", true}},
+      [this](Arguments arguments) {
+        PlaceObject(arguments);
+        return Json();
+      });
+  add("set_camarafp_position", {{"position"}}, [this](Arguments arguments) {
+    camera_ = PointArgument(arguments, 0, "position");
+    return ToJson(camera_);
+  });
+  add("get_camarafp_position", {}, [this](Arguments) { return ToJson(camera_); });
+}
+
+Json ServiceDirectory::Details() const {
+  static const Json kServiceInterfaces(
+      Json::Array{"morse.middleware.socket_request_manager.SocketRequestManager"});
+  constexpr const char* kStreamManager =
+      "morse.middleware.socket_datastream.SocketDatastreamManager";
+  Json::Array robots;
+  for (const auto& robot : simulation_.robots()) {
+    Json components(Json::Object{});
+    for (const auto& component : robot->components()) {
+      Json::Array services;
+      const auto& table = services_.at(component->full_name());
+      for (const auto& [name, service] : table) services.push_back(name);
+      Json entry(Json::Object{{"type", component->type()},
+                              {"services", std::move(services)},
+                              {"service_interfaces", kServiceInterfaces}});
+      if (HasStream(*component)) {
+        const bool out = dynamic_cast<const sim::Sensor*>(component.get()) != nullptr;
+        entry.Set("stream_interfaces",
+                  Json::Array{Json::Array{kStreamManager, out ? "OUT" : "IN"}});
+      }
+      components.Set(component->full_name(), std::move(entry));
+    }
+    robots.push_back(Json::Object{{"name", robot->name()},
+                                  {"type", robot->def().type},
+                                  {"components", std::move(components)}});
+  }
+  return Json(Json::Object{{"robots", std::move(robots)},
+                           {"environment", simulation_.world().scene().name}});
+}
+
+Json ServiceDirectory::SceneObjects() const {
+  Json objects(Json::Object{});
+  for (const auto& robot : simulation_.robots()) {
+    objects.Set(robot->name(), Json::Array{Json::Object{}, ToJson(robot->position()),
+                                           YawQuaternion(robot->pose().yaw)});
+  }
+  for (const scene::Box& box : simulation_.world().scene().boxes) {
+    const double z = box.raised ? box.height / 2.0 : -box.height / 2.0;
+    objects.Set("box_" + std::to_string(box.id),
+                Json::Array{Json::Object{}, ToJson({box.pose.x, box.pose.y, z}),
+                            YawQuaternion(box.pose.yaw)});
+  }
+  return objects;
+}
+
+void ServiceDirectory::PlaceObject(Arguments arguments) {
+  const std::string& name = sim::StringArgument(arguments, 0, "object_name");
+  const Vec3 position = PointArgument(arguments, 1, "position");
+  sim::Robot* robot = simulation_.FindRobot(name);
+  if (robot == nullptr) {
+    if (SceneObjects().Find(name) != nullptr) {
+      throw ServiceFailed("Object '" + name + "' is part of the world and cannot be moved");
+    }
+    throw ServiceFailed("Object '" + name + "' does not appear in the scene.");
+  }
+  const double yaw = arguments.size() > 2 ? PointArgument(arguments, 2, "orientation").z
+                                          : robot->pose().yaw;
+  const Pose2 pose{position.x, position.y, NormalizeAngle(yaw)};
+  std::vector<const sim::Obstacle*> others;
+  for (const sim::Obstacle& box : simulation_.world().obstacles()) others.push_back(&box);
+  for (const auto& other : simulation_.robots()) {
+    if (other.get() != robot) others.push_back(&other->outline());
+  }
+  if (sim::Collides(robot->footprint(), pose, others)) {
+    throw ServiceFailed("Object '" + name + "' does not fit there: it would overlap an obstacle");
+  }
+  robot->Place(pose);
+  simulation_.world().RobotsMoved();
+}
+
+void ServiceDirectory::AddTimeServices() {
+  const auto add = [this](const char* name, std::vector<sim::ServiceParameter> parameters,
+                          std::function<Json(Arguments)> run) {
+    Add("time", {name, std::move(parameters), std::move(run)});
+  };
+  add("mode", {}, [this](Arguments) { return Json(control_.time_mode()); });
+  add("now", {}, [this](Arguments) { return Json(simulation_.time()); });
+  add("statistics", {}, [this](Arguments) { return control_.time_statistics(); });
+  add("set_time_scale", {{"factor"}}, [this](Arguments arguments) {
+    const double factor = sim::NumberArgument(arguments, 0, "factor");
+    if (factor <= 0.0 || factor > 1000.0) {
+      throw WrongArgument("factor must be greater than 0 and at most 1000");
+    }
+    return Json(control_.set_time_scale(factor));
+  });
+  Add("time", {"sleep", {{"delay"}}, nullptr, [this](Arguments arguments, sim::Completion done) {
+                 const double delay = sim::NumberArgument(arguments, 0, "delay");
+                 if (sleeper_) {
+                   throw ServiceFailed(
+                       "A service (sleep) is already running. I do not know what to do.");
+                 }
+                 alarm_ = simulation_.time() + delay;
+                 sleeper_ = std::move(done);
+               }});
+}
+
+void ServiceDirectory::TimeAdvanced() {
+  const double half_tick = 0.5 / simulation_.scenario().time.frequency;
+  if (!sleeper_ || simulation_.time() <= alarm_ - half_tick) return;
+  const sim::Completion done = std::exchange(sleeper_, nullptr);
+  done({Outcome::kSuccess, Json()});
+}
+
+void ServiceDirectory::AddCommunicationServices() {
+  Add("communication",
+      {"distance_and_view", {{"robot1"}, {"robot2"}}, [this](Arguments arguments) {
+         const auto find = [this](const std::string& name) -> const sim::Robot& {
+           const sim::Robot* robot = simulation_.FindRobot(name);
+           if (robot == nullptr) {
+             throw ServiceFailed(name + " does not exist in the simulation ");
+           }
+           return *robot;
+         };
+         const sim::Robot& one = find(sim::StringArgument(arguments, 0, "robot1"));
+         const sim::Robot& other = find(sim::StringArgument(arguments, 1, "robot2"));
+         const Vec2 from{one.pose().x, one.pose().y};
+         const Vec2 way = Vec2{other.pose().x, other.pose().y} - from;
+         const double distance = std::sqrt(Dot(way, way));
+         int hit = one.index();
+         if (distance > 0.0) {
+           simulation_.world().CastRay(from, (1.0 / distance) * way, one.position().z, distance,
+                                       one.index(), &hit);
+         }
+         return Json(Json::Array{distance, hit == other.index()});
+       }});
+}
+
+}  // namespace ccmorse::servers

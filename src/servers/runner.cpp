@@ -1,0 +1,159 @@
+#include "servers/runner.h"
+
+#include <fmt/core.h>
+
+#include <boost/asio/post.hpp>
+#include <cmath>
+
+#include "base/log.h"
+
+namespace ccmorse::servers {
+namespace {
+
+constexpr auto kFarewell = std::chrono::seconds(2);      // for clients, once the run is over
+constexpr auto kGiveUpCatchingUp = std::chrono::seconds(1);  // real time: how far behind is too far
+constexpr int kHandlersPerTick = 64;  // at full speed, so that no flood of requests stops time
+
+}  // namespace
+
+const char* PaceName(Pace pace) {
+  switch (pace) {
+    case Pace::kRealTime:
+      return "realtime";
+    case Pace::kLockstep:
+      return "lockstep";
+    case Pace::kMax:
+      break;
+  }
+  return "max";
+}
+
+Runner::Runner(sim::Simulation& simulation, const RunOptions& options)
+    : simulation_(simulation),
+      options_(options),
+      morse_(io_, simulation, Control(),
+             {PaceName(options.pace), simulation.scenario().time.read_frequency}, options.morse) {}
+
+RunControl Runner::Control() {
+  RunControl control;
+  control.quit = [this] { Stop(); };
+  control.time_mode = [this] {
+    return options_.pace == Pace::kRealTime ? "Best Effort" : "Fixed Simulation Step";
+  };
+  control.time_statistics = [this] { return Statistics(); };
+  control.set_time_scale = [this](double factor) {
+    if (options_.pace != Pace::kRealTime) return false;
+    options_.factor = factor;
+    pace_base_ = WallClock::now();
+    pace_tick_ = simulation_.tick();
+    return true;
+  };
+  return control;
+}
+
+Json Runner::Statistics() const {
+  const double variance = ticks_measured_ > 1.0 ? squares_ / (ticks_measured_ - 1.0) : 0.0;
+  Json statistics(Json::Object{{"mean_time", mean_}, {"variance_time", variance}});
+  if (options_.pace == Pace::kRealTime) {
+    // The rate's variance to first order from the period's.
+    const double rate = mean_ > 0.0 ? 1.0 / mean_ : 0.0;
+    statistics.Set("mean_frame_by_sec", rate);
+    statistics.Set("variance_frame_by_sec", variance * rate * rate * rate * rate);
+  } else {
+    const double wall = std::chrono::duration<double>(WallClock::now() - start_).count();
+    statistics.Set("diff_real_time", simulation_.tick() == 0 ? 0.0 : wall - simulation_.time());
+  }
+  return statistics;
+}
+
+void Runner::Stop() {
+  stop_ = true;
+  boost::asio::post(io_, [] {});  // wakes a Run() that waits
+}
+
+bool Runner::Over() const {
+  // Half a tick of slack: 0.1 s are 6 ticks at 60 Hz, whatever 0.1 * 60 rounds to.
+  const double half_tick = 0.5 / simulation_.scenario().time.frequency;
+  return stop_ || (options_.seconds > 0.0 && simulation_.time() > options_.seconds - half_tick);
+}
+
+RunSummary Runner::Run() {
+  start_ = pace_base_ = last_tick_ = WallClock::now();
+  bool first = true;
+  while (!Over()) {
+    simulation_.Sense();
+    morse_.Sensed();
+    WaitForTurn();
+    if (stop_) break;
+    if (first) start_ = last_tick_ = WallClock::now();
+    morse_.ApplyStreams();
+    simulation_.Act();
+    morse_.TimeAdvanced();
+    CountTick();
+    if (first && on_first_tick_) on_first_tick_();
+    first = false;
+  }
+  RunSummary summary;
+  summary.simulated = simulation_.time();
+  summary.wall = first ? 0.0 : std::chrono::duration<double>(WallClock::now() - start_).count();
+  LetClientsFinish();
+  return summary;
+}
+
+void Runner::WaitForTurn() {
+  switch (options_.pace) {
+    case Pace::kRealTime: {
+      const double ticks = static_cast<double>(simulation_.tick() - pace_tick_);
+      const double seconds = ticks / simulation_.scenario().time.frequency / options_.factor;
+      const auto due = pace_base_ + std::chrono::duration_cast<WallClock::duration>(
+                                        std::chrono::duration<double>(seconds));
+      const auto now = WallClock::now();
+      if (now - due > kGiveUpCatchingUp) {
+        LogWarning("the simulation is {:.1f} s behind real time and goes on from here",
+                   std::chrono::duration<double>(now - due).count());
+        pace_base_ = now;
+        pace_tick_ = simulation_.tick();
+      }
+      io_.restart();
+      for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
+      }
+      while (!stop_ && io_.run_one_until(due) > 0) {
+      }
+      return;
+    }
+    case Pace::kLockstep:
+      io_.restart();
+      for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
+      }
+      while (!stop_ && !morse_.ClientsAreWaiting()) io_.run_one();
+      return;
+    case Pace::kMax:
+      io_.restart();
+      for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
+      }
+      return;
+  }
+}
+
+void Runner::CountTick() {
+  const auto now = WallClock::now();
+  const double seconds = std::chrono::duration<double>(now - last_tick_).count();
+  last_tick_ = now;
+  ticks_measured_ += 1.0;
+  const double off = seconds - mean_;
+  mean_ += off / ticks_measured_;
+  squares_ += off * (seconds - mean_);
+}
+
+void Runner::LetClientsFinish() {
+  morse_.EndReads(fmt::format("The simulation has ended at {:.3f} s", simulation_.time()));
+  const auto until = WallClock::now() + kFarewell;
+  io_.restart();
+  while (morse_.HasReaders() && io_.run_one_until(until) > 0) {
+  }
+  // Replies under way, such as that to `simulation quit`, still go out.
+  for (int i = 0; i < kHandlersPerTick && io_.poll_one() > 0; ++i) {
+  }
+}
+
+}  // namespace ccmorse::servers

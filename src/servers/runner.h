@@ -1,0 +1,81 @@
+#pragma once
+
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+
+#include "servers/morse/morse_server.h"
+#include "sim/simulation.h"
+
+namespace ccmorse::servers {
+
+/// How simulated time goes with wall-clock time (design: Time).
+enum class Pace {
+  kRealTime,  ///< `factor` simulated seconds a wall-clock second
+  kLockstep,  ///< as fast as the clients ask for data (docs/protocols/ccmorse-services.md)
+  kMax,       ///< as fast as possible, whether or not anyone listens
+};
+
+/// "realtime", "lockstep" or "max".
+const char* PaceName(Pace pace);
+
+struct RunOptions {
+  Pace pace = Pace::kRealTime;
+  double factor = 1.0;    ///< simulated seconds per wall second in real time, > 0
+  double seconds = 0.0;   ///< simulated time to run, s; 0: until stopped
+  MorseServerOptions morse;
+};
+
+/// What a run came to.
+struct RunSummary {
+  double simulated = 0.0;  ///< s
+  double wall = 0.0;       ///< s, from the first step on: waiting for a first client does not count
+};
+
+/// Advances a simulation at a pace and serves it meanwhile: the one loop of the simulator. Everything
+/// happens on the thread that calls Run().
+class Runner {
+ public:
+  /// Starts to listen. Throws Error (port taken).
+  Runner(sim::Simulation& simulation, const RunOptions& options);
+
+  /// Runs until the simulated time is over, a client calls `simulation quit`, or Stop().
+  RunSummary Run();
+
+  /// Ends Run() soon. May be called from a handler of io() or from any thread.
+  void Stop();
+
+  boost::asio::io_context& io() { return io_; }
+  MorseServer& morse() { return morse_; }
+
+  /// Called once, after the first tick (benchmarks measure the time to it).
+  void set_on_first_tick(std::function<void()> callback) { on_first_tick_ = std::move(callback); }
+
+ private:
+  using WallClock = std::chrono::steady_clock;
+
+  RunControl Control();
+  Json Statistics() const;
+  void WaitForTurn();
+  void CountTick();
+  void LetClientsFinish();
+  bool Over() const;
+
+  boost::asio::io_context io_;
+  sim::Simulation& simulation_;
+  RunOptions options_;
+  MorseServer morse_;
+  std::atomic<bool> stop_ = false;
+  WallClock::time_point start_;       // of the first step
+  WallClock::time_point pace_base_;   // real time: when pace_tick_ was or will be due
+  std::uint64_t pace_tick_ = 0;
+  WallClock::time_point last_tick_;
+  double ticks_measured_ = 0.0;       // running mean and variance of the wall time of a tick
+  double mean_ = 0.0;                 // s
+  double squares_ = 0.0;              // s^2
+  std::function<void()> on_first_tick_;
+};
+
+}  // namespace ccmorse::servers

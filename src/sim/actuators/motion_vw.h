@@ -1,0 +1,26 @@
+#pragma once
+
+#include "sim/component.h"
+#include "sim/robots/robot.h"
+
+namespace ccmorse::sim {
+
+/// Drives by forward speed and turn rate: MORSE's MotionVW (specs: morse.md B.3). Data and stream: v in
+/// m/s, w in rad/s; a command holds until the next. Services set_speed(v, w) and stop(). Speeds beyond
+/// the robot's limits are clamped; NaN and infinity are refused.
+class MotionVW : public Actuator {
+ public:
+  MotionVW(Robot& robot, const std::string& name);
+  void Act(const Instant& now) override;
+  void Receive(const Json& message) override;
+  void AddToHash(StateHash&) const override {}  // the robot's speed counts
+  void Reset() override;
+
+ private:
+  void AppendFields(std::string& out) const override;
+  void SetSpeed(const Twist& speed);
+
+  Twist speed_;
+};
+
+}  // namespace ccmorse::sim

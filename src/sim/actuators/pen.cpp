@@ -1,0 +1,142 @@
+#include "sim/actuators/pen.h"
+
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/image.h"
+
+namespace ccmorse::sim {
+namespace {
+
+constexpr int kFar = 1'000'000'000;
+constexpr int kMostCells = 4096;
+constexpr int kMostListed = 1'000'000;
+
+int Cell(Arguments arguments, std::size_t index, const char* name) {
+  return IntegerArgument(arguments, index, name, -kFar, kFar);
+}
+
+Color ColorArgument(Arguments arguments, std::size_t first) {
+  const auto channel = [&](std::size_t index, const char* name) {
+    return static_cast<std::uint8_t>(IntegerArgument(arguments, index, name, 0, 255));
+  };
+  return {channel(first, "r"), channel(first + 1, "g"), channel(first + 2, "b")};
+}
+
+double AlphaArgument(Arguments arguments, std::size_t index) {
+  const double alpha = NumberArgument(arguments, index, "alpha", 1.0);
+  if (alpha < 0.0 || alpha > 1.0) throw WrongArgument("alpha must be from 0 to 1");
+  return alpha;
+}
+
+struct Vec2i {
+  int x;
+  int y;
+};
+
+Json ToJson(Color color) { return Json(Json::Array{int{color.r}, int{color.g}, int{color.b}}); }
+
+const Json::Array& ListOf(const Json& value, const char* what, std::size_t length) {
+  if (!value.IsArray() || value.AsArray().size() != length) {
+    throw WrongArgument(std::string("each pixel must be ") + what);
+  }
+  return value.AsArray();
+}
+
+const Json::Array& ListArgument(Arguments arguments, const char* name) {
+  if (!arguments[0].IsArray()) {
+    throw WrongArgument(std::string(name) + " must be a list, not " + arguments[0].TypeName());
+  }
+  return arguments[0].AsArray();
+}
+
+}  // namespace
+
+Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
+    : Actuator(robot, name, "Pen", 60.0), canvas_(canvas) {
+  const ServiceParameter alpha{"alpha", true};
+  AddService({"set_pixel", {{"x"}, {"y"}, {"r"}, {"g"}, {"b"}, alpha}, [this](Arguments arguments) {
+                canvas_.SetPixel(Cell(arguments, 0, "x"), Cell(arguments, 1, "y"),
+                                 ColorArgument(arguments, 2), AlphaArgument(arguments, 5));
+                return Json();
+              }});
+  AddService({"get_pixel", {{"x"}, {"y"}}, [this](Arguments arguments) {
+                return ToJson(canvas_.GetPixel(
+                    IntegerArgument(arguments, 0, "x", 0, canvas_.width() - 1),
+                    IntegerArgument(arguments, 1, "y", 0, canvas_.height() - 1)));
+              }});
+  AddService({"set_line",
+              {{"x0"}, {"y0"}, {"x1"}, {"y1"}, {"r"}, {"g"}, {"b"}, alpha},
+              [this](Arguments arguments) {
+                canvas_.DrawLine(Cell(arguments, 0, "x0"), Cell(arguments, 1, "y0"),
+                                 Cell(arguments, 2, "x1"), Cell(arguments, 3, "y1"),
+                                 ColorArgument(arguments, 4), AlphaArgument(arguments, 7));
+                return Json();
+              }});
+  AddService({"get_image_data", {}, [this](Arguments) {
+                if (canvas_.width() * canvas_.height() > kMostListed) {
+                  throw ServiceFailed("the canvas has more than 1000000 cells, too many for one "
+                                      "message; use get_pixel or save_image_copy");
+                }
+                Json::Array pixels;
+                for (int y = 0; y < canvas_.height(); ++y) {
+                  for (int x = 0; x < canvas_.width(); ++x) {
+                    pixels.push_back(ToJson(canvas_.GetPixel(x, y)));
+                  }
+                }
+                return Json(std::move(pixels));
+              }});
+  AddService({"set_image_data", {{"pixels"}}, [this](Arguments arguments) {
+                const Json::Array& pixels = ListArgument(arguments, "pixels");
+                const auto cells = static_cast<std::size_t>(canvas_.width()) *
+                                   static_cast<std::size_t>(canvas_.height());
+                if (pixels.size() != cells) {
+                  throw WrongArgument("the canvas has " + std::to_string(cells) + " cells, but " +
+                                      std::to_string(pixels.size()) + " pixels came");
+                }
+                std::vector<Color> colors;
+                for (const Json& pixel : pixels) {
+                  colors.push_back(ColorArgument(ListOf(pixel, "[r, g, b]", 3), 0));
+                }
+                const auto width = static_cast<std::size_t>(canvas_.width());
+                for (std::size_t i = 0; i < colors.size(); ++i) {
+                  canvas_.SetPixel(static_cast<int>(i % width), static_cast<int>(i / width),
+                                   colors[i]);
+                }
+                return Json();
+              }});
+  AddService({"update_image_data", {{"pixels"}}, [this](Arguments arguments) {
+                // All or nothing: a wrong pixel changes no cell.
+                std::vector<std::pair<Vec2i, Color>> changes;
+                for (const Json& pixel : ListArgument(arguments, "pixels")) {
+                  const Json::Array& parts = ListOf(pixel, "[x, y, r, g, b]", 5);
+                  changes.push_back(
+                      {{Cell(parts, 0, "x"), Cell(parts, 1, "y")}, ColorArgument(parts, 2)});
+                }
+                for (const auto& [at, color] : changes) canvas_.SetPixel(at.x, at.y, color);
+                return Json();
+              }});
+  AddService({"resize_canvas", {{"width"}, {"height"}}, [this](Arguments arguments) {
+                canvas_.Resize(IntegerArgument(arguments, 0, "width", 1, kMostCells),
+                               IntegerArgument(arguments, 1, "height", 1, kMostCells));
+                return Json();
+              }});
+  AddService({"get_size", {}, [this](Arguments) {
+                return Json(Json::Array{canvas_.width(), canvas_.height()});
+              }});
+  AddService({"get_cell_size", {}, [this](Arguments) { return Json(canvas_.cell_size()); }});
+  AddService({"save_image_copy", {{"name"}}, [this](Arguments arguments) {
+                try {
+                  return Json(canvas_.SaveCopy(StringArgument(arguments, 0, "name")));
+                } catch (const Error& error) {
+                  throw ServiceFailed(error.what());
+                }
+              }});
+}
+
+void Pen::Receive(const Json&) {
+  throw WrongArgument("a pen takes services (set_pixel, set_line, ...), not stream messages");
+}
+
+}  // namespace ccmorse::sim

@@ -1,0 +1,109 @@
+#include "sim/canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+#include "base/error.h"
+
+namespace ccmorse::sim {
+namespace {
+
+constexpr Color kWhite{255, 255, 255};
+
+std::uint8_t Blend(std::uint8_t over, std::uint8_t under, double alpha) {
+  return static_cast<std::uint8_t>(std::lround(alpha * over + (1.0 - alpha) * under));
+}
+
+// The part of [0, steps] for which start + sign * k lies in [0, size).
+void ClipSteps(std::int64_t start, int sign, int size, std::int64_t* first, std::int64_t* last) {
+  if (sign > 0) {
+    *first = std::max<std::int64_t>(*first, -start);
+    *last = std::min<std::int64_t>(*last, size - 1 - start);
+  } else {
+    *first = std::max<std::int64_t>(*first, start - (size - 1));
+    *last = std::min<std::int64_t>(*last, start);
+  }
+}
+
+}  // namespace
+
+Canvas::Canvas(const scene::CanvasDef& def, double world_x, double world_y)
+    : def_(def), world_x_(world_x), world_y_(world_y) {
+  Reset();
+}
+
+double Canvas::cell_size() const { return std::max(world_x_ / width_, world_y_ / height_); }
+
+void Canvas::Resize(int width, int height) {
+  width_ = width;
+  height_ = height;
+  const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  cells_.assign(count, kWhite);
+  drawn_.assign(count, false);
+}
+
+void Canvas::SetPixel(int x, int y, Color color, double alpha) {
+  if (!Contains(x, y) || alpha <= 0.0) return;
+  alpha = std::min(alpha, 1.0);
+  Color& cell = cells_[At(x, y)];
+  cell = {Blend(color.r, cell.r, alpha), Blend(color.g, cell.g, alpha),
+          Blend(color.b, cell.b, alpha)};
+  drawn_[At(x, y)] = true;
+}
+
+Color Canvas::GetPixel(int x, int y) const { return cells_[At(x, y)]; }
+
+bool Canvas::IsDrawn(int x, int y) const { return drawn_[At(x, y)]; }
+
+void Canvas::DrawLine(int x0, int y0, int x1, int y1, Color color, double alpha) {
+  const std::int64_t dx = std::llabs(std::int64_t{x1} - x0);
+  const std::int64_t dy = std::llabs(std::int64_t{y1} - y0);
+  const int sign_x = x1 >= x0 ? 1 : -1;
+  const int sign_y = y1 >= y0 ? 1 : -1;
+  // Bresenham's line in closed form: after k steps along the longer axis the shorter one has made
+  // floor((2 k short + long) / (2 long)). So a far-away end costs nothing: steps outside are skipped.
+  const bool steep = dy > dx;
+  const std::int64_t steps = std::max(dx, dy);
+  const std::int64_t minor = std::min(dx, dy);
+  std::int64_t first = 0;
+  std::int64_t last = steps;
+  ClipSteps(steep ? y0 : x0, steep ? sign_y : sign_x, steep ? height_ : width_, &first, &last);
+  for (std::int64_t k = first; k <= last; ++k) {
+    const std::int64_t side = steps == 0 ? 0 : (2 * k * minor + steps) / (2 * steps);
+    const std::int64_t x = x0 + sign_x * (steep ? side : k);
+    const std::int64_t y = y0 + sign_y * (steep ? k : side);
+    if (x < 0 || x >= width_ || y < 0 || y >= height_) continue;
+    SetPixel(static_cast<int>(x), static_cast<int>(y), color, alpha);
+  }
+}
+
+void Canvas::Reset() { Resize(def_.width, def_.height); }
+
+std::string Canvas::SaveCopy(const std::string& name) const {
+  if (name.empty() || name[0] == '.' || name.size() > 200 ||
+      name.find_first_of(std::string_view("/\\\0", 3)) != std::string::npos) {
+    throw Error("'" + name.substr(0, 200) +
+                "' is not a plain file name; pictures go into the simulator's --out folder");
+  }
+  const bool has_ending = name.size() > 4 && name.compare(name.size() - 4, 4, ".png") == 0;
+  const std::string path =
+      (std::filesystem::path(picture_folder_) / (has_ending ? name : name + ".png")).string();
+  WritePng(ToImage(), path);
+  return path;
+}
+
+Image Canvas::ToImage() const {
+  Image image{width_, height_, {}};
+  image.pixels.reserve(cells_.size());
+  for (int y = height_ - 1; y >= 0; --y) {
+    const auto row = cells_.begin() + static_cast<std::ptrdiff_t>(At(0, y));
+    image.pixels.insert(image.pixels.end(), row, row + width_);
+  }
+  return image;
+}
+
+}  // namespace ccmorse::sim

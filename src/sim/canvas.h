@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+#include "scene/scenario.h"
+
+namespace ccmorse::sim {
+
+/// The grid map that robots draw on and people look at: one in a simulation, passive (thesis 4.2.1).
+/// Cells are square; cell (0, 0) lies at the world's bottom-left corner, x to the right, y up. A cell
+/// nobody has drawn on is clear: it shows the floor and reads as white. Not thread safe.
+class Canvas {
+ public:
+  Canvas(const scene::CanvasDef& def, double world_x, double world_y);
+
+  int width() const { return width_; }    ///< cells
+  int height() const { return height_; }  ///< cells
+  /// Edge of one cell, m: the smallest square with which the canvas covers the whole world.
+  double cell_size() const;
+
+  /// A new resolution, 1..4096 each way; the canvas is clear then.
+  void Resize(int width, int height);
+
+  /// Draws a cell; alpha from 0 (nothing) to 1 (covers what was there). Outside the canvas: nothing.
+  void SetPixel(int x, int y, Color color, double alpha = 1.0);
+  /// White where nothing was drawn. Precondition: inside the canvas.
+  Color GetPixel(int x, int y) const;
+  bool IsDrawn(int x, int y) const;
+  bool Contains(int x, int y) const { return x >= 0 && x < width_ && y >= 0 && y < height_; }
+
+  /// Every cell of Bresenham's line once, both ends included (thesis 4.2.1, [32]). The part outside
+  /// the canvas is left out and costs nothing. Precondition: coordinates within +-1e9.
+  void DrawLine(int x0, int y0, int x1, int y1, Color color, double alpha = 1.0);
+
+  /// Clear, in the resolution of the start.
+  void Reset();
+
+  /// Folder that SaveCopy writes to; "." at start.
+  void set_picture_folder(const std::string& folder) { picture_folder_ = folder; }
+
+  /// Writes the canvas as a PNG under a plain file name into the picture folder, and returns the path.
+  /// Clients may ask for it, so a name that leads elsewhere is refused. Throws Error.
+  std::string SaveCopy(const std::string& name) const;
+
+  /// As a picture, y up: row 0 of the image is the canvas's top row.
+  Image ToImage() const;
+
+ private:
+  std::size_t At(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
+  }
+
+  scene::CanvasDef def_;
+  std::string picture_folder_ = ".";
+  double world_x_;
+  double world_y_;
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<Color> cells_;   // (height x width), row 0 at the bottom
+  std::vector<bool> drawn_;    // (height x width)
+};
+
+}  // namespace ccmorse::sim

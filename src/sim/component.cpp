@@ -1,0 +1,61 @@
+#include "sim/component.h"
+
+#include <cmath>
+
+#include "sim/robots/robot.h"
+
+namespace ccmorse::sim {
+
+Component::Component(Robot& robot, const std::string& name, std::string type, double frequency)
+    : robot_(robot),
+      name_(name),
+      full_name_(robot.name() + "." + name),
+      type_(std::move(type)),
+      frequency_(frequency) {}
+
+bool Component::TakeDue(const Instant& now, double base_frequency) {
+  const double due = static_cast<double>(activations_) * base_frequency / frequency_;
+  if (static_cast<double>(now.tick) + 1e-9 < due) return false;
+  // Faster than the tick, or switched off for a while: the ones missed are not made up for.
+  activations_ = static_cast<std::uint64_t>(
+                     std::floor(static_cast<double>(now.tick) * frequency_ / base_frequency + 1e-9)) +
+                 1;
+  return true;
+}
+
+const std::string& Component::LocalData() {
+  if (!text_valid_) {
+    text_ = "{\"timestamp\": ";
+    AppendJson(text_, timestamp_);
+    AppendFields(text_);
+    text_ += '}';
+    text_valid_ = true;
+  }
+  return text_;
+}
+
+void Component::Reset() {
+  activations_ = 0;
+  timestamp_ = 0.0;
+  text_valid_ = false;
+}
+
+void Component::DataChanged(double time) {
+  timestamp_ = time;
+  text_valid_ = false;
+}
+
+void AppendField(std::string& out, const char* key, double value) {
+  out += ", \"";
+  out += key;
+  out += "\": ";
+  AppendJson(out, value);
+}
+
+void AppendField(std::string& out, const char* key, bool value) {
+  out += ", \"";
+  out += key;
+  out += value ? "\": true" : "\": false";
+}
+
+}  // namespace ccmorse::sim

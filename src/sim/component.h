@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/json.h"
+#include "base/pose.h"
+#include "sim/service.h"
+#include "sim/state_hash.h"
+
+namespace ccmorse::sim {
+
+class Robot;
+
+/// The instant a tick works on.
+struct Instant {
+  std::uint64_t tick = 0;  ///< from 0
+  double time = 0.0;       ///< s, simulated: tick / frequency
+  double step = 0.0;       ///< s, of one tick
+};
+
+/// A device of a robot, MORSE's sensor or actuator: a name, a rate, data to share and services
+/// (thesis 2.4; specs: morse.md B). Belongs to its robot. Not thread safe.
+class Component {
+ public:
+  /// `type` is MORSE's class name ("Pose"); `frequency` in Hz of simulated time.
+  Component(Robot& robot, const std::string& name, std::string type, double frequency);
+  virtual ~Component() = default;
+  Component(const Component&) = delete;
+  Component& operator=(const Component&) = delete;
+
+  const std::string& full_name() const { return full_name_; }  ///< "s1r.pose"
+  const std::string& name() const { return name_; }            ///< "pose"
+  const std::string& type() const { return type_; }
+  double frequency() const { return frequency_; }
+  Robot& robot() const { return robot_; }
+
+  /// A component that is switched off neither samples nor acts (`simulation deactivate`).
+  bool active() const { return active_; }
+  void set_active(bool active) { active_ = active; }
+
+  /// Is this tick one of the component's own? The k-th falls on the first tick at or after k /
+  /// frequency; true at most once a tick.
+  bool TakeDue(const Instant& now, double base_frequency);
+
+  const std::vector<Service>& services() const { return services_; }
+
+  /// The data as MORSE sends them: one JSON object without line end, timestamp first.
+  const std::string& LocalData();
+
+  /// Simulated time of the data, s.
+  double timestamp() const { return timestamp_; }
+
+  /// Settings that do not change during a run (MORSE's get_configurations).
+  virtual Json Configurations() const { return Json(Json::Object{}); }
+
+  /// Where it sits on its robot, m, in the robot's frame.
+  virtual Vec3 mount() const { return {}; }
+
+  /// Back to the state at the start of the simulation.
+  virtual void Reset();
+
+  /// Ends its running asynchronous service, if any, as PREEMPTED (`cancel`, specs: morse.md A.5).
+  virtual void Interrupt() {}
+
+  virtual void AddToHash(StateHash& hash) const = 0;
+
+ protected:
+  void AddService(Service service) { services_.push_back(std::move(service)); }
+  /// To be called when the data have changed at simulated time `time`, s.
+  void DataChanged(double time);
+
+ private:
+  /// Appends `"key": value` pairs, each preceded by ", ".
+  virtual void AppendFields(std::string& out) const = 0;
+
+  Robot& robot_;
+  std::string name_;
+  std::string full_name_;
+  std::string type_;
+  double frequency_;
+  bool active_ = true;
+  std::uint64_t activations_ = 0;
+  double timestamp_ = 0.0;
+  bool text_valid_ = false;
+  std::string text_;
+  std::vector<Service> services_;
+};
+
+/// Reads the world (thesis 2.4).
+class Sensor : public Component {
+ public:
+  using Component::Component;
+  virtual void Sample(const Instant& now) = 0;
+
+  std::uint64_t samples() const { return samples_; }  ///< taken since the start
+  void CountSample() { ++samples_; }
+
+ private:
+  std::uint64_t samples_ = 0;
+};
+
+/// Changes its robot's state or the world (thesis 2.4).
+class Actuator : public Component {
+ public:
+  using Component::Component;
+  virtual void Act(const Instant& now) = 0;
+  /// Takes a message of the actuator's stream (specs: morse.md A.4). Throws WrongArgument and
+  /// changes nothing when it is not what the actuator needs.
+  virtual void Receive(const Json& message) = 0;
+};
+
+// Helpers for AppendFields.
+void AppendField(std::string& out, const char* key, double value);
+void AppendField(std::string& out, const char* key, bool value);
+
+}  // namespace ccmorse::sim

@@ -1,0 +1,79 @@
+#include "sim/robots/robot.h"
+
+#include <algorithm>
+
+#include "sim/canvas.h"
+#include "sim/robots/s1r.h"
+
+namespace ccmorse::sim {
+
+Robot::Robot(const scene::RobotDef& def, int index)
+    : def_(def),
+      model_(scene::FindRobotModel(def.type)),
+      footprint_(Footprint::Make(model_.footprint)),
+      index_(index) {
+  Place(def_.pose);
+  hash_.Add(name());
+}
+
+void Robot::Register(std::unique_ptr<Sensor> sensor) {
+  sensors_.push_back(sensor.get());
+  components_.push_back(std::move(sensor));
+}
+
+void Robot::Register(std::unique_ptr<Actuator> actuator) {
+  actuators_.push_back(actuator.get());
+  components_.push_back(std::move(actuator));
+}
+
+void Robot::Command(const Twist& twist, const Actuator* by) {
+  command_ = {std::clamp(twist.v, -model_.max_speed, model_.max_speed),
+              std::clamp(twist.w, -model_.max_turn_rate, model_.max_turn_rate)};
+  driver_ = by;
+}
+
+void Robot::Move(const Instant& now, std::span<const Obstacle* const> obstacles) {
+  const bool touched_before = stalled_;
+  twist_ = command_;
+  stalled_ = false;
+  if (command_.v != 0.0 || command_.w != 0.0) {
+    const MotionResult moved =
+        DriveUntilContact(footprint_, pose_, command_.v, command_.w, now.step, obstacles);
+    pose_ = moved.pose;
+    tally_.distance += moved.driven;
+    stalled_ = moved.blocked;
+    outline_ = Obstacle::Make(footprint_.At(pose_), 0);
+  }
+  if (stalled_) {
+    twist_ = {};
+    tally_.stalled += now.step;
+    if (!touched_before) ++tally_.contacts;
+  }
+  hash_.Add(pose_.x);
+  hash_.Add(pose_.y);
+  hash_.Add(pose_.yaw);
+  hash_.Add(twist_.v);
+  hash_.Add(twist_.w);
+}
+
+void Robot::Place(const Pose2& pose) {
+  pose_ = pose;
+  twist_ = {};
+  command_ = {};
+  stalled_ = false;
+  outline_ = Obstacle::Make(footprint_.At(pose_), 0);
+}
+
+void Robot::Reset() {
+  Place(def_.pose);
+  driver_ = nullptr;
+  tally_ = {};
+  for (const auto& component : components_) component->Reset();
+}
+
+void Equip(Robot& robot, const scene::Scenario& scenario, const World& world, Canvas& canvas) {
+  // One line a type of robot; scene::FindRobotModel has refused all others.
+  if (robot.def().type == "S1R") EquipS1R(robot, scenario, world, canvas);
+}
+
+}  // namespace ccmorse::sim

@@ -1,0 +1,26 @@
+#include "sim/robots/s1r.h"
+
+#include <memory>
+
+#include "sim/actuators/motion_vw.h"
+#include "sim/actuators/pen.h"
+#include "sim/actuators/waypoint.h"
+#include "sim/robots/robot.h"
+#include "sim/sensors/laser_scanner.h"
+#include "sim/sensors/odometry.h"
+#include "sim/sensors/pose.h"
+#include "sim/sensors/robot_properties.h"
+
+namespace ccmorse::sim {
+
+void EquipS1R(Robot& robot, const scene::Scenario& scenario, const World& world, Canvas& canvas) {
+  robot.Add(std::make_unique<PoseSensor>(robot, "pose"));
+  robot.Add(std::make_unique<OdometrySensor>(robot, "odometry"));
+  robot.Add(std::make_unique<LaserScanner>(robot, "hokuyo", robot.def().laser, world));
+  robot.Add(std::make_unique<RobotProperties>(robot, "properties", scenario));
+  robot.Add(std::make_unique<MotionVW>(robot, "motion"));
+  robot.Add(std::make_unique<Waypoint>(robot, "waypoint"));
+  robot.Add(std::make_unique<Pen>(robot, "pen", canvas));
+}
+
+}  // namespace ccmorse::sim

@@ -1,0 +1,52 @@
+#include "sim/sensors/odometry.h"
+
+#include "base/polygon.h"
+#include "base/trig.h"
+
+namespace ccmorse::sim {
+
+OdometrySensor::OdometrySensor(Robot& robot, const std::string& name)
+    : Sensor(robot, name, "IntegratedOdometry", 60.0), start_(robot.pose()) {}
+
+void OdometrySensor::Sample(const Instant& now) {
+  const Pose2& pose = robot().pose();
+  const Vec2 moved = InverseTransform(start_, {pose.x, pose.y});
+  moved_ = {moved.x, moved.y, NormalizeAngle(pose.yaw - start_.yaw)};
+  twist_ = robot().twist();
+  stalled_ = robot().stalled();
+  DataChanged(now.time);
+}
+
+void OdometrySensor::Reset() {
+  Sensor::Reset();
+  start_ = robot().pose();
+  moved_ = {};
+  twist_ = {};
+  stalled_ = false;
+}
+
+void OdometrySensor::AddToHash(StateHash& hash) const {
+  hash.Add(moved_.x);
+  hash.Add(moved_.y);
+  hash.Add(moved_.yaw);
+  hash.Add(twist_.v);
+  hash.Add(twist_.w);
+}
+
+void OdometrySensor::AppendFields(std::string& out) const {
+  AppendField(out, "x", moved_.x);
+  AppendField(out, "y", moved_.y);
+  AppendField(out, "z", 0.0);
+  AppendField(out, "yaw", moved_.yaw);
+  AppendField(out, "pitch", 0.0);
+  AppendField(out, "roll", 0.0);
+  AppendField(out, "vx", twist_.v);
+  AppendField(out, "vy", 0.0);
+  AppendField(out, "vz", 0.0);
+  AppendField(out, "wz", twist_.w);
+  AppendField(out, "wy", 0.0);
+  AppendField(out, "wx", 0.0);
+  AppendField(out, "stall", stalled_);
+}
+
+}  // namespace ccmorse::sim

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "base/pose.h"
+#include "sim/component.h"
+#include "sim/robots/robot.h"
+
+namespace ccmorse::sim {
+
+/// Where the robot has come since the start, as its wheels tell it: MORSE's IntegratedOdometry
+/// (specs: morse.md B.2). Pose in the frame of the robot's pose at the start, m and rad; speeds in the
+/// robot's own frame, m/s and rad/s, with the sign and frame that MORSE's later versions have (1.4
+/// had both wrong). `stall` is ours: whether the robot's last motion was blocked. 60 Hz.
+class OdometrySensor : public Sensor {
+ public:
+  OdometrySensor(Robot& robot, const std::string& name);
+  void Sample(const Instant& now) override;
+  void AddToHash(StateHash& hash) const override;
+  void Reset() override;
+
+ private:
+  void AppendFields(std::string& out) const override;
+
+  Pose2 start_;  // in the world
+  Pose2 moved_;  // in the frame of start_
+  Twist twist_;
+  bool stalled_ = false;
+};
+
+}  // namespace ccmorse::sim

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "base/pose.h"
+#include "sim/component.h"
+
+namespace ccmorse::sim {
+
+/// Where the robot's origin is in the world, without error: MORSE's Pose (specs: morse.md B.2).
+/// Data: x, y, z in m, yaw, pitch, roll in rad; 60 Hz.
+class PoseSensor : public Sensor {
+ public:
+  PoseSensor(Robot& robot, const std::string& name);
+  void Sample(const Instant& now) override;
+  void AddToHash(StateHash& hash) const override;
+  void Reset() override;
+
+ private:
+  void AppendFields(std::string& out) const override;
+  void Read();
+
+  Pose2 pose_;
+  double z_ = 0.0;
+};
+
+}  // namespace ccmorse::sim

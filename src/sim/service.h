@@ -1,0 +1,68 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/json.h"
+
+namespace ccmorse::sim {
+
+/// How a service ended, in MORSE's terms (specs: morse.md A.5).
+enum class Outcome { kSuccess, kFailed, kPreempted };
+
+struct ServiceResult {
+  Outcome outcome = Outcome::kSuccess;
+  Json value;  ///< the result; for kFailed the text
+  std::string_view text = {};  ///< the result as JSON, instead of `value`; valid during the call
+};
+
+/// Called once, when an asynchronous service ends.
+using Completion = std::function<void(ServiceResult)>;
+
+/// The caller's fault: answered FAILED with exactly this text.
+class ServiceFailed : public std::runtime_error {
+ public:
+  explicit ServiceFailed(const std::string& text) : std::runtime_error(text) {}
+};
+
+/// An argument of the wrong type or out of range: answered FAILED
+/// "Socket service manager: wrong parameter type for service NAME. <text>".
+class WrongArgument : public std::runtime_error {
+ public:
+  explicit WrongArgument(const std::string& text) : std::runtime_error(text) {}
+};
+
+using Arguments = std::span<const Json>;
+
+struct ServiceParameter {
+  std::string name;
+  bool optional = false;
+};
+
+/// Something a component does on request; exactly one of the three functions is set.
+struct Service {
+  std::string name;
+  std::vector<ServiceParameter> parameters;
+  std::function<Json(Arguments)> run;                        ///< answers at once
+  std::function<void(Arguments, Completion)> start = {};     ///< answers later
+  std::function<const std::string&()> text = {};             ///< answers at once, ready-made JSON
+};
+
+// Typed access to arguments. Each throws WrongArgument that names the parameter.
+
+/// A finite number.
+double NumberArgument(Arguments arguments, std::size_t index, const char* name);
+/// The same, or `fallback` where the argument was left out.
+double NumberArgument(Arguments arguments, std::size_t index, const char* name, double fallback);
+/// A whole number in [low, high].
+int IntegerArgument(Arguments arguments, std::size_t index, const char* name, int low, int high);
+const std::string& StringArgument(Arguments arguments, std::size_t index, const char* name);
+
+/// A finite number as member `key` of a message. Throws WrongArgument that names the key.
+double NumberMember(const Json& object, const char* key);
+
+}  // namespace ccmorse::sim

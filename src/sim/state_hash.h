@@ -1,0 +1,29 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string_view>
+
+namespace ccmorse::sim {
+
+/// A running 64-bit hash of simulated state: not cryptographic, but any changed bit changes it.
+/// Doubles count by their bits, so equal hashes mean equal runs, bit for bit.
+class StateHash {
+ public:
+  void Add(std::uint64_t word) {
+    value_ ^= word;
+    value_ *= 0x9FB21C651E98DF25ULL;
+    value_ ^= value_ >> 32;
+  }
+  void Add(double number) { Add(std::bit_cast<std::uint64_t>(number)); }
+  void Add(std::string_view text) {
+    Add(static_cast<std::uint64_t>(text.size()));
+    for (const char c : text) Add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0x2545F4914F6CDD1DULL;
+};
+
+}  // namespace ccmorse::sim

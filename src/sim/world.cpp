@@ -1,0 +1,105 @@
+#include "sim/world.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "base/error.h"
+#include "base/polygon.h"
+#include "sim/robots/robot.h"
+
+namespace ccmorse::sim {
+
+World::World(scene::World scene) : scene_(std::move(scene)) { CollectObstacles(); }
+
+void World::CollectObstacles() {
+  obstacles_.clear();
+  for (const scene::Box& box : scene_.boxes) {
+    if (!box.raised) continue;
+    const auto corners = BoxCorners(box.pose, box.size_x, box.size_y);
+    obstacles_.push_back(Obstacle::Make({corners.begin(), corners.end()}, box.id));
+  }
+}
+
+void World::SetRaised(int box_id, bool raised) {
+  const auto box = std::find_if(scene_.boxes.begin(), scene_.boxes.end(),
+                                [box_id](const scene::Box& b) { return b.id == box_id; });
+  if (box == scene_.boxes.end()) {
+    throw Error("the world has no box with id " + std::to_string(box_id));
+  }
+  if (!box->dynamic) {
+    throw Error("box " + std::to_string(box_id) + " is " + box->kind + " and cannot be moved");
+  }
+  box->raised = raised;
+  CollectObstacles();
+  for (const auto& cut : cuts_) FillBoxes(*cut);
+}
+
+void World::FillBoxes(Cut& cut) const {
+  cut.boxes.Clear();
+  for (const scene::Box& box : scene_.boxes) {
+    if (!box.raised || box.height <= cut.height) continue;
+    cut.boxes.Add(BoxCorners(box.pose, box.size_x, box.size_y));
+  }
+}
+
+World::Cut& World::CutAt(double height) const {
+  for (const auto& cut : cuts_) {
+    if (cut->height == height) return *cut;
+  }
+  cuts_.push_back(std::make_unique<Cut>(Cut{height, {}, {}}));
+  FillBoxes(*cuts_.back());
+  robots_moved_ = true;
+  return *cuts_.back();
+}
+
+const PlanarWorld& World::BoxesAt(double height) const { return CutAt(height).boxes; }
+
+const PlanarWorld& World::RobotsAt(double height) const {
+  Cut& wanted = CutAt(height);
+  if (robots_moved_) {
+    for (const auto& cut : cuts_) {
+      cut->robots.Clear();
+      for (const Robot* robot : robots_) {
+        for (const scene::HullPart& part : robot->model().hull) {
+          if (cut->height < part.bottom || cut->height >= part.top) continue;
+          std::vector<Vec2> outline;
+          for (const Vec2 corner : part.outline) {
+            outline.push_back(Transform(robot->pose(), corner));
+          }
+          cut->robots.Add(outline, robot->index());
+        }
+      }
+    }
+    robots_moved_ = false;
+  }
+  return wanted.robots;
+}
+
+double World::CastRay(Vec2 from, Vec2 direction, double height, double range, int self,
+                      int* hit_robot) const {
+  double nearest = range;
+  *hit_robot = -1;
+  const auto cast = [&](const PlanarWorld& world) {
+    for (const PlanarWorld::Outline& outline : world.outlines()) {
+      if (outline.owner >= 0 && outline.owner == self) continue;
+      const std::span<const Vec2> corners = world.Corners(outline);
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 a = corners[i] - from;
+        const Vec2 edge = corners[(i + 1) % corners.size()] - corners[i];
+        const double parallel = Cross(direction, edge);
+        if (parallel == 0.0) continue;
+        const double distance = Cross(a, edge) / parallel;
+        const double along = Cross(a, direction) / parallel;
+        if (distance >= 0.0 && distance < nearest && along >= 0.0 && along <= 1.0) {
+          nearest = distance;
+          *hit_robot = outline.owner;
+        }
+      }
+    }
+  };
+  cast(BoxesAt(height));
+  cast(RobotsAt(height));
+  return nearest;
+}
+
+}  // namespace ccmorse::sim

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/pose.h"
+#include "scene/scenario.h"
+#include "sim/physics/kinematics.h"
+#include "sim/rays/planar_scan.h"
+
+namespace ccmorse::sim {
+
+class Robot;
+
+/// What robots see and run into: the scene's boxes that stand, and the robots. Not thread safe.
+class World {
+ public:
+  explicit World(scene::World scene);
+
+  const scene::World& scene() const { return scene_; }
+
+  /// Raises or lowers a dynamic box, by id. Throws Error on an unknown id or one that cannot move.
+  void SetRaised(int box_id, bool raised);
+
+  /// The boxes that stand, as obstacles to motion.
+  std::span<const Obstacle> obstacles() const { return obstacles_; }
+
+  /// The standing boxes cut at `height` (m above the floor). The reference stays valid; its content
+  /// follows SetRaised().
+  const PlanarWorld& BoxesAt(double height) const;
+
+  /// The robots' hulls cut at `height`, at their current poses; made anew at each sensing phase in
+  /// which somebody asks.
+  const PlanarWorld& RobotsAt(double height) const;
+
+  /// Sets whose hulls RobotsAt() shows. The robots outlive the world's use of them.
+  void SetRobots(std::vector<const Robot*> robots) { robots_ = std::move(robots); }
+
+  /// Robots have moved: cuts made before are stale.
+  void RobotsMoved() { robots_moved_ = true; }
+
+  /// Distance in the plane along a ray from `from` in the unit direction `direction` at `height` to
+  /// the first box or robot but `self`, and which robot (-1: a box); range if there is none. m.
+  double CastRay(Vec2 from, Vec2 direction, double height, double range, int self,
+                 int* hit_robot) const;
+
+ private:
+  struct Cut {
+    double height;
+    PlanarWorld boxes;
+    PlanarWorld robots;
+  };
+
+  Cut& CutAt(double height) const;
+  void FillBoxes(Cut& cut) const;
+  void CollectObstacles();
+
+  scene::World scene_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<const Robot*> robots_;
+  mutable std::vector<std::unique_ptr<Cut>> cuts_;  // a handful: one a height that scanners have
+  mutable bool robots_moved_ = true;
+};
+
+}  // namespace ccmorse::sim

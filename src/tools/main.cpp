@@ -1,0 +1,82 @@
+// The `ccmorse` program: reads the command line and hands over to the sub-command.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "base/error.h"
+#include "tools/run_command.h"
+
+int main(int argc, char** argv) {
+  CLI::App app{"ccmorse - robots for programs written for Player, MORSE and SyRoTek", "ccmorse"};
+  app.set_version_flag("--version", std::string("ccmorse ") + CCMORSE_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Examples:\n"
+      "  ccmorse run syrotek                      the SyRoTek arena with one S1R, in real time\n"
+      "  ccmorse run docks --port 4100            13 robots in their docks, on another port\n"
+      "  ccmorse run my_scene.json --pace lockstep --for 120 --picture out/run.png\n"
+      "  ccmorse list                             the scenarios there are\n"
+      "`ccmorse run --help` explains the options of a run.");
+
+  ccmorse::tools::RunArguments run;
+  CLI::App* const run_command = app.add_subcommand("run", "simulate a scenario and serve clients");
+  run_command->add_option("scenario", run.scenario, "a scenario's name or path (see ccmorse list)")
+      ->required()
+      ->type_name("SCENARIO");
+  run_command->add_flag("--headless", run.headless,
+                        "without any view; the only way so far, so it changes nothing");
+  run_command
+      ->add_option("--pace", run.pace,
+                   "real: wall-clock time; lockstep: time waits for the clients' next Read(); "
+                   "max: as fast as possible  [what the scenario says, else real]")
+      ->check(CLI::IsMember({"real", "lockstep", "max"}))
+      ->type_name("PACE");
+  run_command->add_option("--for", run.seconds, "stop after this much simulated time  [never]")
+      ->check(CLI::Range(0.001, 1e9))
+      ->type_name("SECONDS");
+  run_command->add_option("--seed", run.seed, "of all random numbers  [the scenario's]")
+      ->type_name("N");
+  run_command
+      ->add_option("--port", run.port, "of MORSE's services; 0 takes any free one  [4000]")
+      ->check(CLI::Range(0, 65535))
+      ->type_name("N");
+  run_command
+      ->add_option("--stream-port", run.stream_port,
+                   "first port of the components' streams; 0 takes any free ones  [60000]")
+      ->check(CLI::Range(0, 65535))
+      ->type_name("N");
+  run_command->add_option("--bind", run.bind, "address to listen on  [127.0.0.1]")
+      ->type_name("ADDRESS");
+  run_command->add_option("--out", run.out, "folder for pictures that clients save  [.]")
+      ->type_name("FOLDER");
+  run_command->add_option("--picture", run.picture, "write the arena from above here at the end")
+      ->type_name("FILE.png");
+  run_command->add_option("--report", run.report, "write the report of the run here as JSON")
+      ->type_name("FILE.json");
+  run_command->add_flag("-q,--quiet", run.quiet, "print errors only");
+  run_command->footer(
+      "Examples:\n"
+      "  ccmorse run syrotek --headless --pace lockstep --for 120\n"
+      "  ccmorse run two_robots --port 0          prints the port it took\n"
+      "Ctrl-C ends a run and prints its report.");
+
+  CLI::App* const list_command = app.add_subcommand("list", "list the scenarios");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
+  try {
+    if (list_command->parsed()) return ccmorse::tools::ListScenarios();
+    return ccmorse::tools::Run(run);
+  } catch (const ccmorse::Error& error) {
+    std::fprintf(stderr, "ccmorse: %s\n", error.what());
+    return 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ccmorse: unexpected: %s\n", error.what());
+    return 1;
+  }
+}

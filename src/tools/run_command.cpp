@@ -1,0 +1,176 @@
+#include "tools/run_command.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <boost/asio/signal_set.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "scene/scenario.h"
+#include "servers/runner.h"
+#include "sim/sensors/laser_scanner.h"
+#include "tools/top_view.h"
+
+namespace ccmorse::tools {
+namespace {
+
+servers::Pace PaceFrom(const RunArguments& arguments, const scene::Scenario& scenario) {
+  const std::string& name = arguments.pace ? *arguments.pace : scenario.time.strategy;
+  if (name == "lockstep") return servers::Pace::kLockstep;
+  if (name == "max") return servers::Pace::kMax;
+  return servers::Pace::kRealTime;
+}
+
+// Makes the folder that a file is to be written into, so that a long run cannot fail at its end.
+void PrepareFolderOf(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  std::error_code failed;
+  if (!folder.empty()) std::filesystem::create_directories(folder, failed);
+  if (failed) throw Error("cannot make the folder for " + file + ": " + failed.message());
+}
+
+struct LaserUse {
+  std::uint64_t scans = 0;
+  std::uint64_t used = 0;
+};
+
+LaserUse CountScans(const sim::Robot& robot, const servers::MorseServer& server) {
+  LaserUse use;
+  for (const sim::Sensor* sensor : robot.sensors()) {
+    if (dynamic_cast<const sim::LaserScanner*>(sensor) == nullptr) continue;
+    use.scans += sensor->samples();
+    use.used += server.SamplesUsed(sensor->full_name());
+  }
+  return use;
+}
+
+Json ReportJson(const sim::Simulation& simulation, const servers::MorseServer& server,
+                const servers::RunSummary& summary, servers::Pace pace) {
+  Json robots(Json::Object{});
+  for (const auto& robot : simulation.robots()) {
+    const LaserUse use = CountScans(*robot, server);
+    const Pose2& pose = robot->pose();
+    robots.Set(robot->name(),
+               Json::Object{{"distance", robot->tally().distance},
+                            {"contacts", static_cast<std::int64_t>(robot->tally().contacts)},
+                            {"stalled", robot->tally().stalled},
+                            {"scans", static_cast<std::int64_t>(use.scans)},
+                            {"scans_used", static_cast<std::int64_t>(use.used)},
+                            {"pose", Json::Array{pose.x, pose.y, pose.yaw}}});
+  }
+  return Json(Json::Object{
+      {"scenario", simulation.scenario().name},
+      {"pace", servers::PaceName(pace)},
+      {"ticks", static_cast<std::int64_t>(simulation.tick())},
+      {"simulated_s", summary.simulated},
+      {"wall_s", summary.wall},
+      {"real_time_factor", summary.wall > 0.0 ? summary.simulated / summary.wall : 0.0},
+      {"hash", fmt::format("{:016x}", simulation.Hash())},
+      {"robots", std::move(robots)}});
+}
+
+void PrintReport(const sim::Simulation& simulation, const servers::MorseServer& server,
+                 const servers::RunSummary& summary) {
+  fmt::print("\nSimulated {:.3f} s in {:.3f} s", summary.simulated, summary.wall);
+  if (summary.wall > 0.0) {
+    fmt::print(" of wall time: {:.1f} times real time", summary.simulated / summary.wall);
+  }
+  fmt::print("\n{:<12} {:>10} {:>9} {:>10} {:>12}\n", "robot", "driven", "contacts", "stalled",
+             "scans used");
+  for (const auto& robot : simulation.robots()) {
+    const LaserUse use = CountScans(*robot, server);
+    fmt::print("{:<12} {:>8.3f} m {:>9} {:>8.2f} s {:>6}/{}\n", robot->name(),
+               robot->tally().distance, robot->tally().contacts, robot->tally().stalled, use.used,
+               use.scans);
+  }
+  fmt::print("state hash   {:016x}\n", simulation.Hash());
+}
+
+void WritePicture(const sim::Simulation& simulation, const std::string& path) {
+  TopView view;
+  view.world = &simulation.world().scene();
+  for (const auto& robot : simulation.robots()) {
+    view.robots.push_back({&robot->model(), robot->pose(), robot->def().color, {}, {}});
+  }
+  const sim::Canvas& canvas = simulation.canvas();
+  view.canvas.width = canvas.width();
+  view.canvas.height = canvas.height();
+  view.canvas.cell_size = canvas.cell_size();
+  for (int y = 0; y < canvas.height(); ++y) {
+    for (int x = 0; x < canvas.width(); ++x) {
+      view.canvas.colors.push_back(canvas.GetPixel(x, y));
+      view.canvas.alpha.push_back(canvas.IsDrawn(x, y) ? 255 : 0);
+    }
+  }
+  WritePng(RenderTopView(view), path);
+}
+
+}  // namespace
+
+int Run(const RunArguments& arguments) {
+  if (arguments.quiet) SetLogLevel(LogLevel::kError);
+  scene::Scenario scenario = scene::LoadScenario(scene::FindScenario(arguments.scenario));
+  if (arguments.seed) scenario.seed = *arguments.seed;
+
+  servers::RunOptions options;
+  options.pace = PaceFrom(arguments, scenario);
+  options.factor = scenario.time.factor;
+  options.seconds = arguments.seconds;
+  options.morse.bind = arguments.bind;
+  options.morse.port = arguments.port;
+  options.morse.first_stream_port = arguments.stream_port;
+  for (const std::string& file : {arguments.picture, arguments.report}) PrepareFolderOf(file);
+  std::error_code failed;
+  std::filesystem::create_directories(arguments.out, failed);
+  if (failed) throw Error("cannot make the folder " + arguments.out + ": " + failed.message());
+
+  sim::Simulation simulation(std::move(scenario));
+  simulation.canvas().set_picture_folder(arguments.out);
+  servers::Runner runner(simulation, options);
+
+  boost::asio::signal_set signals(runner.io(), SIGINT, SIGTERM);
+  signals.async_wait([&runner](boost::system::error_code error, int) {
+    if (!error) runner.Stop();
+  });
+
+  if (!arguments.quiet) {
+    fmt::print("PID: {}\n", ::getpid());
+    fmt::print("Scenario {}: {} robot{}, seed {}, pace {}\n", simulation.scenario().name,
+               simulation.robots().size(), simulation.robots().size() == 1 ? "" : "s",
+               simulation.scenario().seed, servers::PaceName(options.pace));
+    fmt::print("MORSE services on {} port {}\n", arguments.bind, runner.morse().port());
+    if (options.pace == servers::Pace::kLockstep) {
+      fmt::print("Lock-step: time starts with a client's first Read()\n");
+    }
+    fmt::print("SCENE INITIALIZED\n");
+    std::fflush(stdout);
+  }
+  const servers::RunSummary summary = runner.Run();
+
+  if (!arguments.report.empty()) {
+    const std::string text = ReportJson(simulation, runner.morse(), summary, options.pace).Dump();
+    std::ofstream file(arguments.report);
+    if (!(file << text << "\n") || !file.flush()) {
+      throw Error("cannot write " + arguments.report);
+    }
+  }
+  if (!arguments.quiet) PrintReport(simulation, runner.morse(), summary);
+  if (!arguments.picture.empty()) {
+    WritePicture(simulation, arguments.picture);
+    if (!arguments.quiet) fmt::print("picture      {}\n", arguments.picture);
+  }
+  if (!arguments.quiet) fmt::print("EXITING SIMULATION\n");
+  std::fflush(stdout);
+  return 0;
+}
+
+int ListScenarios() {
+  for (const std::string& name : scene::ListScenarios()) fmt::print("{}\n", name);
+  return 0;
+}
+
+}  // namespace ccmorse::tools
