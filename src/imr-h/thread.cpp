@@ -87,11 +87,11 @@ void CThread::execute() {
         if (!run) return;
         try {
           threadBody();
-        } catch (const abi::__forced_unwind&) {
-          throw;  // pthread_exit() or a cancelled thread: must go on unwinding
         } catch (const std::exception& e) {
           ERROR("an exception has ended a thread: " << e.what());
         } catch (...) {
+          // No C++ exception: pthread_exit() or a cancelled thread, which must go on unwinding.
+          if (std::current_exception() == nullptr) throw;
           ERROR("an exception " << currentExceptionType() << " has ended a thread");
         }
       });

@@ -18,22 +18,22 @@ struct HullPart {
 /// A type of robot: what all robots of the type share (specs: syrotek.md A for the S1R).
 struct RobotModel {
   std::string type;
-  std::vector<HullPart> hull;   ///< what scanners of others see
-  std::vector<Vec2> footprint;  ///< m, convex, counter-clockwise: what touches walls and robots
-  double origin_height = 0.0;   ///< m above the floor: where the robot's frame lies
-  double length = 0.0;          ///< m, bounding box
-  double width = 0.0;           ///< m
-  double height = 0.0;          ///< m
+  std::vector<HullPart> hull;     ///< what scanners of others see
+  std::vector<Vec2> footprint;    ///< m, convex, counter-clockwise: what touches walls and robots
+  double origin_height = 0.0;     ///< m above the floor: where the robot's frame lies
+  double length = 0.0;            ///< m, bounding box
+  double width = 0.0;             ///< m
+  double height = 0.0;            ///< m
   double ground_clearance = 0.0;  ///< m between floor and body
-  double mass = 0.0;            ///< kg, all of it
-  double wheel_radius = 0.0;    ///< m
-  double wheel_width = 0.0;     ///< m
-  double wheel_mass = 0.0;      ///< kg, one wheel
-  double wheel_track = 0.0;     ///< m between the wheels' middles
-  double max_speed = 0.0;       ///< m/s; commands are clamped to it
-  double max_turn_rate = 0.0;   ///< rad/s; commands are clamped to it
-  LaserDef laser;               ///< the scanner as delivered
-  ProxyTable proxies;           ///< Player indexes where the scenario gives none
+  double mass = 0.0;              ///< kg, all of it
+  double wheel_radius = 0.0;      ///< m
+  double wheel_width = 0.0;       ///< m
+  double wheel_mass = 0.0;        ///< kg, one wheel
+  double wheel_track = 0.0;       ///< m between the wheels' middles
+  double max_speed = 0.0;         ///< m/s; commands are clamped to it
+  double max_turn_rate = 0.0;     ///< rad/s; commands are clamped to it
+  LaserDef laser;                 ///< the scanner as delivered
+  ProxyTable proxies;             ///< Player indexes where the scenario gives none
 };
 
 /// The model of a type. Throws Error that names the known types.

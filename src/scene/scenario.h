@@ -14,33 +14,34 @@ namespace ccmorse::scene {
 
 /// One box of the world: upright, on the floor (thesis 4.1.1; specs: syrotek.md B).
 struct Box {
-  int id = 0;               ///< unique in the world, from 1
-  std::string kind;         ///< "border", "dock_separator", "static", "dynamic_slab", "dynamic_pillar"
-  Pose2 pose;               ///< centre, m, and yaw, rad
-  double size_x = 0.0;      ///< m, along the box's own x, > 0
-  double size_y = 0.0;      ///< m, along the box's own y, > 0
-  double height = 0.0;      ///< m, > 0; from the floor up
-  Color color;              ///< what a viewer shows
-  bool dynamic = false;     ///< can be raised and lowered
-  bool raised = true;       ///< stands in the world; always true for what is not dynamic
+  int id = 0;  ///< unique in the world, from 1
+  /// In SyRoTek's arena "border", "dock_separator", "static", "dynamic_slab" or "dynamic_pillar".
+  std::string kind;
+  Pose2 pose;            ///< centre, m, and yaw, rad
+  double size_x = 0.0;   ///< m, along the box's own x, > 0
+  double size_y = 0.0;   ///< m, along the box's own y, > 0
+  double height = 0.0;   ///< m, > 0; from the floor up
+  Color color;           ///< what a viewer shows
+  bool dynamic = false;  ///< can be raised and lowered
+  bool raised = true;    ///< stands in the world; always true for what is not dynamic
 };
 
 /// A lamp of the world (thesis 4.1.1, W07); only views use it.
 struct Light {
-  std::string kind;         ///< "sun" or "spot"
-  Vec3 position;            ///< m; for the sun, the direction it shines from
-  double energy = 1.0;      ///< relative, >= 0
-  bool shadows = false;     ///< casts shadows
+  std::string kind;      ///< "sun" or "spot"
+  Vec3 position;         ///< m; for the sun, the direction it shines from
+  double energy = 1.0;   ///< relative, >= 0
+  bool shadows = false;  ///< casts shadows
 };
 
 /// The world: a rectangular floor with boxes on it; the origin is the floor's bottom-left corner.
 struct World {
-  std::string name;             ///< "syrotek"
-  double size_x = 0.0;          ///< m, > 0
-  double size_y = 0.0;          ///< m, > 0
+  std::string name;     ///< "syrotek"
+  double size_x = 0.0;  ///< m, > 0
+  double size_y = 0.0;  ///< m, > 0
   Color floor{255, 255, 255};
-  std::vector<Box> boxes;       ///< in order of id
-  std::vector<Pose2> docks;     ///< parking places, m and rad: in the bay, facing out of it
+  std::vector<Box> boxes;    ///< in order of id
+  std::vector<Pose2> docks;  ///< parking places, m and rad: in the bay, facing out of it
   std::vector<Light> lights;
 };
 
@@ -48,6 +49,9 @@ struct World {
 /// Where a file gives window or resolution but no samples, MORSE's rule counts the beams: from
 /// -window/2 in steps of the resolution while not beyond +window/2. The thesis's 270 deg / 0.39589
 /// would be 683 by that rule, but the thesis and its program say 682, so the default says it, too.
+/// Samples without resolution spread from edge to edge of the window; samples and resolution
+/// without a window make their own, around straight ahead.
+/// "preset": "urg04lx" in a file stands for the device as sold: 682 beams of 360/1024 deg, 5.6 m.
 struct LaserDef {
   Vec3 position{0.035, 0.0, 0.0};   ///< on the robot, m; z from the robot's origin
   double yaw = 0.0;                 ///< on the robot, rad
@@ -67,65 +71,75 @@ using ProxyTable = std::map<std::string, std::map<int, std::string>>;
 
 /// One robot of the scenario.
 struct RobotDef {
-  std::string name = "s1r";         ///< unique; letters, digits, _ (thesis 4.1.2: no two alike)
-  std::string type = "S1R";         ///< a type of robots.h
-  Pose2 pose;                       ///< start, m and rad
+  /// Unique, 1 to 64 letters, digits or _ (thesis 4.1.2: no two alike). In a file without,
+  /// robots[0] is s1r, robots[1] is s1r_2, and so on.
+  std::string name = "s1r";
+  std::string type = "S1R";  ///< a type of robots.h
+  Pose2 pose;                ///< start, m and rad; (1.20, 2.00, 150 deg) in a file without
   Color color{60, 110, 190};
-  ProxyTable proxies;               ///< defaults of the type where not given
+  ProxyTable proxies;                   ///< defaults of the type where not given
   std::map<std::string, Json> drivers;  ///< driver name ("snd") -> object of its settings, as given
   LaserDef laser;
 };
 
 /// The grid-map canvas (thesis 4.2.1).
 struct CanvasDef {
-  int width = 172;                  ///< cells, 1..4096
-  int height = 186;                 ///< cells, 1..4096
-  double alpha = 1.0;               ///< 0 transparent .. 1 opaque, fixed at start
-  std::string mode = "ground";      ///< "ground", "minimap" or "fullscreen"
-  bool mode_switching = true;       ///< may the user change the mode
+  int width = 172;              ///< cells, 1..4096
+  int height = 186;             ///< cells, 1..4096
+  double alpha = 1.0;           ///< 0 transparent .. 1 opaque, fixed at start
+  std::string mode = "ground";  ///< "ground", "minimap" or "fullscreen"
+  bool mode_switching = true;   ///< may the user change the mode
 };
 
 /// The viewer's camera at start: MORSE's set_camera_location and set_camera_rotation.
 struct CameraDef {
-  Vec3 position{1.71, -3.2, 4.2};   ///< m
-  Vec3 rotation{0.75, 0.0, 0.0};    ///< Euler angles XYZ, rad; (0,0,0) looks straight down
+  Vec3 position{1.71, -3.2, 4.2};  ///< m
+  Vec3 rotation{0.75, 0.0, 0.0};   ///< Euler angles XYZ, rad; (0,0,0) looks straight down
 };
 
 /// Simulated time (thesis 3.2 "simulation-time strategy"; design: Time).
 struct TimeDef {
-  double frequency = 60.0;          ///< ticks per simulated second, Hz, 1..1000
-  std::string strategy = "realtime";  ///< pace: "realtime", "lockstep" or "max"
-  double factor = 1.0;              ///< simulated seconds per wall second in real time, (0, 1000]
-  double read_frequency = 10.0;     ///< how often a client's Read() gets data, Hz, > 0
+  double frequency = 60.0;  ///< ticks per simulated second, Hz, 1..1000
+  /// Pace: "realtime", "lockstep" or "max". A file may say as MORSE does: "best_effort" for
+  /// realtime, "fixed_simulation_step" for max.
+  std::string strategy = "realtime";
+  double factor = 1.0;           ///< simulated seconds per wall second in real time, (0, 1000]
+  double read_frequency = 10.0;  ///< how often a client's Read() gets data, Hz, > 0
 };
 
 /// Everything a run starts from. The defaults are those of an empty file: the SyRoTek arena with
 /// all dynamic obstacles down and one S1R in it.
 struct Scenario {
-  std::string name;                 ///< file name without folder and ending
+  std::string name;  ///< file name without folder and ending
   World world;
   std::vector<RobotDef> robots;
   CanvasDef canvas;
   CameraDef camera;
   TimeDef time;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  ///< of all noise, 0..2^63-1
 };
 
-/// Reads and checks a scenario. `file` names it in messages and is the folder that relative names
-/// start from. Throws Error "FILE:LINE: ..." with the key and the nearest known one.
+/// Reads and checks a scenario. `file` names it in messages; names of files in it start from the
+/// folder of `file`. "world" is a world's name ("syrotek"), {"file": "..."} or a world in full; all
+/// that a scenario leaves out has a default. Throws Error "FILE:LINE: ..." with the key and the
+/// nearest known one, also for a robot that stands in a raised box, in another robot or beside the
+/// floor.
 Scenario ParseScenario(const std::string& text, const std::string& file);
 Scenario LoadScenario(const std::string& file);
 
-/// The scenario with all defaults filled in, in the same form that ParseScenario reads.
+/// The scenario with all defaults filled in, in the same form that ParseScenario reads; the world
+/// is written out in full, so the text needs no other file.
 Json ToJson(const Scenario& scenario);
 
 /// Where `name` is found: a path that exists; else NAME.json in a folder of worlds/ (NAME may be
 /// written folder/NAME, and a folder's own name means the scenario of that name in it). Looks in
-/// $CCMORSE_WORLDS, the source tree it was built from, and where it is installed.
-/// Throws Error that names the places looked at and the scenarios there are.
+/// $CCMORSE_WORLDS, the source tree it was built from, ../share/ccmorse/worlds from the program's
+/// folder, and where it was to be installed. Throws Error that names the places looked at and the
+/// scenarios there are.
 std::string FindScenario(const std::string& name);
 
-/// Names that FindScenario knows, sorted.
+/// Names that FindScenario knows, sorted, one for each scenario: NAME, or folder/NAME where several
+/// folders have a NAME.
 std::vector<std::string> ListScenarios();
 
 }  // namespace ccmorse::scene

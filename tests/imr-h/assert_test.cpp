@@ -1,5 +1,5 @@
-// Checks and exceptions. Only the two headers that robot.cc of the thesis includes are included, in
-// its order, and the check is called with a pointer and unqualified, as there (C.2 l.4-5, 59).
+// Checks and exceptions. Only the two headers that robot.cc of the thesis includes come before the
+// class, and the check is called with a pointer and unqualified, as there (C.2 l.4-5, 59).
 #include "imr-h/imr_exceptions.h"
 #include "imr-h/logging.h"
 // The two above stand first on purpose: they must suffice for the class below.

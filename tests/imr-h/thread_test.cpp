@@ -245,10 +245,10 @@ TEST(ImrThread, DestructorWaitsWhenJoinWasForgotten) {
 }
 
 TEST(ImrThread, MayDestroyItselfFromInside) {
-  class Suicidal : public CThread {
+  class SelfDestroying : public CThread {
    public:
-    explicit Suicidal(std::promise<void> gone) : gone_(std::move(gone)) {}
-    ~Suicidal() override { gone_.set_value(); }
+    explicit SelfDestroying(std::promise<void> gone) : gone_(std::move(gone)) {}
+    ~SelfDestroying() override { gone_.set_value(); }
     void stop() override {}
 
    protected:
@@ -259,7 +259,7 @@ TEST(ImrThread, MayDestroyItselfFromInside) {
   };
   std::promise<void> gone;
   std::future<void> future = gone.get_future();
-  (new Suicidal(std::move(gone)))->execute();
+  (new SelfDestroying(std::move(gone)))->execute();
   EXPECT_EQ(future.wait_for(std::chrono::seconds(10)), std::future_status::ready);
   // The thread still has to leave; give sanitizers time to see it.
   std::this_thread::sleep_for(std::chrono::milliseconds(50));

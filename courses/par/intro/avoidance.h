@@ -14,7 +14,7 @@ constexpr double VMAX = 0.3;               ///< Fastest forward speed [m/s].
 constexpr double WMAX = 1.0;               ///< Turn rate in front of an obstacle [rad/s].
 constexpr double RNG_ANGL_REACTION = 0.5;  ///< Share of the range in the turn; the rest: bearing.
 constexpr double HALF_FOV = 40 * (3.14159265359 / 180);  ///< Half the angle watched [rad].
-constexpr double MIN_OBSTACLE_RANGE = 0.20;   ///< As near as this: turn on the spot [m].
+constexpr double MIN_OBSTACLE_RANGE = 0.20;              ///< As near as this: turn on the spot [m].
 constexpr double SAFE_OBSTACLE_RANGE = 0.50;  ///< Farther than this: full speed ahead [m].
 
 /// The beams of a scan that the robot looks at, as indexes into the scan. The starting values are

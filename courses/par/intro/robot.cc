@@ -115,7 +115,11 @@ CRobot::~CRobot() {
 void CRobot::release() {
 #ifdef _MORSE
   if (windowMade) {
-    delete &CCMorse::WindowProxy::GetInstance();
+    try {
+      delete &CCMorse::WindowProxy::GetInstance();
+    } catch (CCMorse::MorseError&) {
+      // Somebody else has deleted the window already, so nothing is left to do.
+    }
   }
 #endif  // _MORSE
   // The proxies use the connection, so it goes last.

@@ -115,20 +115,20 @@ struct Connection::Impl {
     }
     const auto deadline = Clock::now() + kConnectLimit;
     const std::vector<tcp::endpoint> endpoints = Resolve(host, port, address);
-    ErrorCode error = asio::error::would_block;
+    ErrorCode outcome = asio::error::would_block;
     asio::async_connect(socket, endpoints,
-                        [&error](const ErrorCode& ec, const tcp::endpoint&) { error = ec; });
+                        [&outcome](const ErrorCode& ec, const tcp::endpoint&) { outcome = ec; });
     io.run_until(deadline);
-    if (error == asio::error::would_block) {
+    if (outcome == asio::error::would_block) {
       ErrorCode ignored;
       socket.close(ignored);
       io.restart();
-      io.run();  // the cancelled connect still refers to `error`
+      io.run();  // the cancelled connect still refers to `outcome`
       ThrowConnect(address, "no answer within 2 s");
     }
-    if (error) ThrowConnect(address, error.message());
+    if (outcome) ThrowConnect(address, outcome.message());
     // Without it, the kernel holds small requests back for up to 40 ms.
-    socket.set_option(tcp::no_delay(true), error);
+    socket.set_option(tcp::no_delay(true), outcome);
     last_heard = Clock::now();
     io.restart();
     StartRead();

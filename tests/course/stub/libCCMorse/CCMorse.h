@@ -171,7 +171,10 @@ class WindowProxy {
   }
   static std::string Text(const std::vector<int>& numbers) {
     std::string text;
-    for (const int number : numbers) text += (text.empty() ? "" : ",") + std::to_string(number);
+    for (const int number : numbers) {
+      if (!text.empty()) text += ',';
+      text += std::to_string(number);
+    }
     return text;
   }
   StubObject object_;

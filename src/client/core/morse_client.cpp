@@ -1,0 +1,617 @@
+#include "libCCMorse/MorseClient.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <cstring>
+#include <functional>
+#include <map>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "client/core/connection.h"
+#include "client/core/device_registry.h"
+#include "client/core/subscription.h"
+
+namespace CCMorse {
+
+using Clock = std::chrono::steady_clock;
+using core::Batch;
+using core::Connection;
+using core::Reply;
+
+namespace {
+
+constexpr double kMorseTick = 1.0 / 60.0;    // s; MORSE's default frequency
+constexpr double kConnectSilence = 1.9;      // s without any answer while connecting
+constexpr double kRequestTimeout = 5.0;      // s, Player's default
+constexpr double kCloseTimeout = 0.5;        // s for the last commands
+constexpr char kReadFunction[] = "MorseClient::Read()";
+
+// Player's interface codes that the library has proxies for.
+constexpr std::pair<const char*, int> kInterfaces[] = {{"position2d", 4}, {"laser", 6}};
+constexpr int kUnknownInterface = 0xFFFF;
+
+/// The clients in being. A client that only PlayerClients use is kept by them; one that was asked
+/// for by GetInstance() is kept here.
+struct Directory {
+  struct Entry {
+    std::weak_ptr<MorseClient> counted;   // what Share() gives out
+    std::shared_ptr<MorseClient> pinned;  // a reference that GetInstance() gave out
+  };
+  std::mutex mutex;
+  std::map<std::pair<std::string, int>, Entry> entries;
+  std::weak_ptr<MorseClient> last;
+  std::vector<std::shared_ptr<MorseClient>> retired;  // references to these are still out
+};
+
+Directory& TheDirectory() {
+  static Directory directory;
+  return directory;
+}
+
+// Closes the client when the last of its sharers goes. Proxies keep the client object, not this.
+struct Share {
+  explicit Share(std::shared_ptr<MorseClient> c) : client(std::move(c)) {}
+  ~Share() { client->Close(); }
+  Share(const Share&) = delete;
+  Share& operator=(const Share&) = delete;
+  const std::shared_ptr<MorseClient> client;
+};
+
+// The value of a successful answer; nothing when it is no JSON.
+std::optional<MorseValue> ValueOf(const Reply& reply) {
+  if (reply.text.empty()) return MorseValue();
+  try {
+    return MorseValue::Parse(reply.text);
+  } catch (const MorseError&) {
+    return std::nullopt;
+  }
+}
+
+// Why a service was refused, without the quotes.
+std::string Reason(const std::string& text) {
+  try {
+    const MorseValue value = MorseValue::Parse(text);
+    if (value.IsString()) return value.GetString("");
+  } catch (const MorseError&) {
+    // No JSON: the raw text has to do.
+  }
+  return text.empty() ? "no reason given" : text;
+}
+
+}  // namespace
+
+// Locking order: read_mutex, then data_mutex or state_mutex, and never a wait under the last two.
+struct MorseClient::Impl {
+  Impl(const std::string& h, int p) : host(h), port(p), connection(h, p) {}
+
+  // A Read() on its way.
+  struct Round {
+    std::shared_ptr<Batch> batch;
+    std::vector<MorseDevice*> devices;
+  };
+
+  const std::string host;
+  const int port;
+  Connection connection;
+
+  // Fixed once connected.
+  std::vector<std::unique_ptr<MorseRobot>> robots;
+  std::vector<std::unique_ptr<MorseDevice>> devices;
+  std::vector<MorseRobot*> robot_list;
+  bool ccmorse = false;
+  std::string server = "MORSE";
+  std::string pace = "realtime";
+  double frequency = 60.0;
+  double read_period = kMorseTick;
+
+  std::mutex data_mutex;  // devices' data, subscriptions, time
+  double time = 0.0;
+
+  std::mutex read_mutex;                  // held for a whole Read()
+  std::shared_ptr<Round> unfinished;      // under read_mutex: a Read() that was abandoned
+  std::vector<std::function<void()>> signals;  // under read_mutex
+
+  mutable std::mutex state_mutex;
+  std::condition_variable state_changed;
+  bool in_read = false;
+  std::uint64_t reads = 0;
+  bool peeked = true;  // since the last Read(); true before the first one
+  Clock::time_point last_read{};
+  double request_timeout = kRequestTimeout;
+  int retry_limit = 0;
+  double retry_time = 2.0;
+
+  std::mutex thread_mutex;  // thread
+  std::thread thread;
+  std::atomic<bool> stop_thread{false};
+  std::atomic<bool> stop_run{false};
+  std::atomic<bool> closed{false};
+
+  std::vector<Reply> Ask(const std::vector<core::Request>& requests) {
+    const auto batch = connection.Send(requests);
+    Connection::Patience patience;
+    patience.silence = kConnectSilence;
+    if (connection.Wait(batch, patience, "MorseClient::MorseClient()") !=
+        Connection::Outcome::kDone) {
+      throw MorseError("cannot connect to " + host + ":" + std::to_string(port) +
+                           ": something listens there, but does not answer as a simulator does",
+                       "MorseClient::MorseClient()");
+    }
+    return batch->replies;
+  }
+};
+
+MorseClient::MorseClient(const std::string& host, int port)
+    : impl_(std::make_unique<Impl>(host, port)) {}
+
+MorseClient::~MorseClient() { Close(); }
+
+std::shared_ptr<MorseClient> MorseClient::Share(const std::string& host, int port) {
+  Directory& directory = TheDirectory();
+  const std::lock_guard lock(directory.mutex);
+  Directory::Entry& entry = directory.entries[{host, port}];
+  if (std::shared_ptr<MorseClient> client = entry.counted.lock()) {
+    if (client->Connected()) return client;
+    if (entry.pinned) directory.retired.push_back(std::move(entry.pinned));
+    entry = Directory::Entry();
+  }
+  const std::shared_ptr<MorseClient> client(new MorseClient(host, port));
+  client->Connect();
+  const auto share = std::make_shared<CCMorse::Share>(client);
+  std::shared_ptr<MorseClient> counted(share, client.get());
+  entry.counted = counted;
+  directory.last = counted;
+  return counted;
+}
+
+MorseClient& MorseClient::GetInstance(const std::string& host, int port) {
+  std::shared_ptr<MorseClient> client = Share(host, port);
+  Directory& directory = TheDirectory();
+  const std::lock_guard lock(directory.mutex);
+  MorseClient& result = *client;
+  Directory::Entry& entry = directory.entries[{host, port}];
+  if (entry.pinned != client) {
+    if (entry.pinned) directory.retired.push_back(std::move(entry.pinned));
+    entry.pinned = std::move(client);
+  }
+  return result;
+}
+
+MorseClient& MorseClient::GetInstance() {
+  Directory& directory = TheDirectory();
+  const std::lock_guard lock(directory.mutex);
+  const std::shared_ptr<MorseClient> client = directory.last.lock();
+  if (!client) {
+    throw MorseError("there is no client yet: call GetInstance(host, port) first",
+                     "MorseClient::GetInstance()");
+  }
+  return *client;
+}
+
+void MorseClient::Connect() {
+  constexpr char kFunction[] = "MorseClient::MorseClient()";
+  Impl& impl = *impl_;
+  const std::vector<Reply> replies =
+      impl.Ask({{"simulation", "list_robots", ""},
+                {"simulation", "details", ""},
+                {"ccmorse", "hello", R"([{"client": "libCCMorse", "protocol": 1}])"}});
+  const auto answer = [&](std::size_t i, const char* what) {
+    const std::optional<MorseValue> value = ValueOf(replies[i]);
+    if (!replies[i].success || !value) {
+      throw MorseError("cannot connect to " + impl.host + ":" + std::to_string(impl.port) +
+                           ": simulation " + what + " was answered with " +
+                           (replies[i].success ? "no JSON" : Reason(replies[i].text)),
+                       kFunction);
+    }
+    return *value;
+  };
+  const std::vector<std::string> names = answer(0, "list_robots").GetStrings("");
+  const MorseValue details = answer(1, "details");
+  if (replies[2].success) {
+    const MorseValue hello = ValueOf(replies[2]).value_or(MorseValue());
+    impl.ccmorse = true;
+    impl.server = hello.GetString("server", "ccmorse");
+    impl.pace = hello.GetString("pace", "realtime");
+    impl.frequency = hello.GetDouble("frequency", 60.0);
+    impl.read_period = hello.GetDouble("read_period", kMorseTick);
+  }
+  impl.connection.SetPing(impl.ccmorse ? "ccmorse ping" : "time now");
+
+  for (const std::string& name : names) {
+    MorseValue described;
+    const MorseValue robots = details.Member("robots");
+    for (std::size_t i = 0; i < robots.GetSize(); ++i) {
+      if (robots.At(i).GetString("name") == name) described = robots.At(i);
+    }
+    impl.robots.push_back(
+        std::make_unique<MorseRobot>(*this, name, described.GetString("type")));
+    MorseRobot& robot = *impl.robots.back();
+    impl.robot_list.push_back(&robot);
+    const MorseValue components = described.Member("components");
+    for (const std::string& component : components.GetKeys()) {
+      MorseDeviceInfo info;
+      info.client = this;
+      info.robot = &robot;
+      info.name = component;
+      info.type = components.Member(component).GetString("type");
+      info.services = components.Member(component).GetStrings("services");
+      impl.devices.push_back(core::MakeDevice(info));
+      robot.devices_.push_back(impl.devices.back().get());
+    }
+  }
+
+  std::vector<core::Request> requests;
+  std::vector<MorseDevice*> askers;
+  for (const auto& device : impl.devices) {
+    for (const std::string& service : device->SetupServices()) {
+      if (!device->HasService(service)) continue;
+      requests.push_back({device->GetName(), service, ""});
+      askers.push_back(device.get());
+    }
+  }
+  if (requests.empty()) return;
+  const std::vector<Reply> setup = impl.Ask(requests);
+  for (std::size_t i = 0; i < setup.size(); ++i) {
+    const std::optional<MorseValue> value = ValueOf(setup[i]);
+    // A device that gets no settings stays invalid; the others work.
+    if (setup[i].success && value) askers[i]->OnSetup(requests[i].service, *value);
+  }
+}
+
+void MorseClient::Close() noexcept {
+  Impl& impl = *impl_;
+  if (impl.closed.exchange(true)) return;
+  impl.stop_run = true;
+  StopThread();
+  impl.connection.Close(kCloseTimeout);
+}
+
+bool MorseClient::Connected() const { return impl_->connection.Alive(); }
+std::string MorseClient::GetHostname() const { return impl_->host; }
+std::uint32_t MorseClient::GetPort() const { return static_cast<std::uint32_t>(impl_->port); }
+std::mutex& MorseClient::DataMutex() const { return impl_->data_mutex; }
+
+void MorseClient::Read() { ReadOnce(false); }
+
+void MorseClient::ReadOnce(bool may_abandon) {
+  Impl& impl = *impl_;
+  const std::lock_guard read_lock(impl.read_mutex);
+  {
+    const std::lock_guard lock(impl.state_mutex);
+    impl.in_read = true;
+  }
+  impl.connection.SetReading(true);
+  const auto leave = [&](bool finished) {
+    impl.connection.SetReading(false);
+    const std::lock_guard lock(impl.state_mutex);
+    impl.in_read = false;
+    if (finished) {
+      ++impl.reads;
+      impl.peeked = false;
+      impl.last_read = Clock::now();
+    }
+    impl.state_changed.notify_all();
+  };
+
+  std::shared_ptr<Impl::Round> round = std::exchange(impl.unfinished, nullptr);
+  try {
+    if (!round) {
+      round = std::make_shared<Impl::Round>();
+      std::vector<core::Request> requests;
+      if (impl.ccmorse) requests.push_back({"ccmorse", "read", ""});
+      {
+        const std::lock_guard lock(impl.data_mutex);
+        for (const auto& device : impl.devices) {
+          if (device->polled_) round->devices.push_back(device.get());
+        }
+      }
+      for (const MorseDevice* device : round->devices) {
+        requests.push_back({device->GetName(), "get_local_data", ""});
+      }
+      // Plain MORSE with nothing to ask: its clock paces the loop.
+      if (requests.empty()) requests.push_back({"time", "now", ""});
+      round->batch = impl.connection.Send(requests);
+    }
+    Connection::Patience patience;
+    if (may_abandon) patience.abandon = &impl.stop_thread;
+    if (impl.connection.Wait(round->batch, patience, kReadFunction) ==
+        Connection::Outcome::kAbandoned) {
+      impl.unfinished = round;
+      leave(false);
+      return;
+    }
+  } catch (...) {
+    leave(false);
+    throw;
+  }
+
+  // The texts are parsed before the data are locked.
+  const std::vector<Reply>& replies = round->batch->replies;
+  const std::size_t first = impl.ccmorse ? 1 : 0;
+  std::vector<std::optional<MorseValue>> values;
+  for (std::size_t i = 0; i < round->devices.size(); ++i) {
+    const Reply& reply = replies[first + i];
+    values.push_back(reply.success ? ValueOf(reply) : std::nullopt);
+  }
+  std::optional<MorseError> error;
+  double time = std::numeric_limits<double>::quiet_NaN();
+  if (impl.ccmorse) {
+    if (replies[0].success) {
+      time = ValueOf(replies[0]).value_or(MorseValue()).GetDouble("time", time);
+    } else {
+      const std::string reason = Reason(replies[0].text);
+      const bool ended = reason.find("simulation has ended") != std::string::npos;
+      error.emplace(reason, kReadFunction, ended ? MorseError::kSimulationEnded : -1);
+    }
+  } else if (round->devices.empty() && replies[0].success) {
+    time = ValueOf(replies[0]).value_or(MorseValue()).GetDouble("", time);
+  }
+
+  {
+    const std::lock_guard lock(impl.data_mutex);
+    for (std::size_t i = 0; i < round->devices.size(); ++i) {
+      if (!values[i]) continue;
+      round->devices[i]->Accept(*values[i]);
+      if (!impl.ccmorse && round->devices[i]->valid_) {
+        time = std::fmax(time, round->devices[i]->timestamp_);
+      }
+    }
+    if (std::isfinite(time)) impl.time = time;
+    impl.signals.clear();
+    for (const auto& robot : impl.robots) {
+      for (const auto& subscription : robot->subscriptions_) {
+        const MorseDevice& device = *subscription->device;
+        if (!device.has_data_) continue;
+        subscription->valid = device.valid_;
+        if (!device.valid_ || !(device.timestamp_ > subscription->time)) continue;
+        // The first data count from time 0, as in Player.
+        subscription->elapsed = device.timestamp_ -
+                                (std::isfinite(subscription->time) ? subscription->time : 0.0);
+        subscription->time = device.timestamp_;
+        subscription->fresh = true;
+        for (const auto& [id, subscriber] : subscription->subscribers) {
+          impl.signals.push_back(subscriber);
+        }
+      }
+    }
+  }
+  leave(true);
+  for (const auto& subscriber : impl.signals) subscriber();
+
+  const std::optional<core::Refusal> refusal = impl.connection.TakeRefusal();
+  if (!error && refusal) {
+    error.emplace("the simulator refused " + refusal->component + " " + refusal->service + ": " +
+                      Reason(refusal->reason),
+                  kReadFunction);
+  }
+  if (error) throw *error;
+}
+
+bool MorseClient::Peek(int timeout_ms) {
+  constexpr char kFunction[] = "MorseClient::Peek()";
+  Impl& impl = *impl_;
+  if (!Connected()) {
+    throw MorseError("there is no connection to " + impl.host + ":" + std::to_string(impl.port),
+                     kFunction);
+  }
+  const auto timeout = std::chrono::milliseconds(std::max(timeout_ms, 0));
+  {
+    std::unique_lock lock(impl.state_mutex);
+    if (impl.in_read) {
+      // Another thread reads: what it brings is what can be waited for.
+      const std::uint64_t before = impl.reads;
+      impl.state_changed.wait_until(lock, Clock::now() + timeout,
+                                    [&] { return impl.reads != before || !impl.in_read; });
+      return impl.reads != before;
+    }
+    if (impl.ccmorse && impl.pace == "lockstep") {
+      const bool first = !std::exchange(impl.peeked, true);
+      return timeout_ms > 0 || !first;
+    }
+    if (!impl.ccmorse) {
+      const auto tick = std::chrono::duration_cast<Clock::duration>(
+          std::chrono::duration<double>(kMorseTick));
+      const auto due = impl.reads == 0 ? Clock::now() : impl.last_read + tick;
+      const auto deadline = Clock::now() + timeout;
+      lock.unlock();
+      if (due > deadline) {
+        std::this_thread::sleep_until(deadline);
+        return false;
+      }
+      std::this_thread::sleep_until(due);
+      return true;
+    }
+  }
+  const double seconds = std::max(timeout_ms, 0) / 1000.0;
+  return Request("ccmorse", "peek", MorseArgs(seconds), seconds + GetRequestTimeout()).IsTrue();
+}
+
+void MorseClient::ReadIfWaiting() {
+  if (Peek(0)) Read();
+}
+
+void MorseClient::Run(int timeout_ms) {
+  impl_->stop_run = false;
+  while (!impl_->stop_run) {
+    Read();
+    std::this_thread::sleep_for(std::chrono::milliseconds(std::max(timeout_ms, 0)));
+  }
+}
+
+void MorseClient::Stop() {
+  impl_->stop_run = true;
+  impl_->stop_thread = true;
+}
+
+void MorseClient::StartThread() {
+  Impl& impl = *impl_;
+  const std::lock_guard lock(impl.thread_mutex);
+  if (impl.thread.joinable()) {
+    if (!impl.stop_thread) return;
+    impl.thread.join();  // it ended, or is about to
+  }
+  impl.stop_thread = false;
+  impl.thread = std::thread([this] {
+    while (!impl_->stop_thread) {
+      try {
+        ReadOnce(true);
+      } catch (const MorseError&) {
+        if (!Connected()) break;
+        // A refused command is no reason to stop; the end of the simulation is.
+        if (impl_->ccmorse && !impl_->stop_thread) {
+          const std::lock_guard state(impl_->state_mutex);
+        }
+      }
+    }
+  });
+}
+
+void MorseClient::StopThread() {
+  Impl& impl = *impl_;
+  const std::lock_guard lock(impl.thread_mutex);
+  impl.stop_thread = true;
+  impl.connection.Wake();
+  if (!impl.thread.joinable()) return;
+  if (impl.thread.get_id() == std::this_thread::get_id()) return;  // from a read signal
+  impl.thread.join();
+}
+
+void MorseClient::SetRequestTimeout(double seconds) {
+  if (!(seconds > 0.0)) {
+    throw MorseError("a timeout is above 0 s", "MorseClient::SetRequestTimeout()");
+  }
+  const std::lock_guard lock(impl_->state_mutex);
+  impl_->request_timeout = seconds;
+}
+
+double MorseClient::GetRequestTimeout() const {
+  const std::lock_guard lock(impl_->state_mutex);
+  return impl_->request_timeout;
+}
+
+void MorseClient::SetRetryLimit(int limit) {
+  const std::lock_guard lock(impl_->state_mutex);
+  impl_->retry_limit = limit;
+}
+
+int MorseClient::GetRetryLimit() const {
+  const std::lock_guard lock(impl_->state_mutex);
+  return impl_->retry_limit;
+}
+
+void MorseClient::SetRetryTime(double seconds) {
+  const std::lock_guard lock(impl_->state_mutex);
+  impl_->retry_time = seconds;
+}
+
+double MorseClient::GetRetryTime() const {
+  const std::lock_guard lock(impl_->state_mutex);
+  return impl_->retry_time;
+}
+
+void MorseClient::SetDataMode(int /*mode*/) {}
+void MorseClient::SetReplaceRule(bool /*replace*/, int /*type*/, int /*subtype*/, int /*interf*/) {}
+void MorseClient::RequestDeviceList() {}
+
+std::list<playerc_device_info_t> MorseClient::GetDeviceList() const {
+  std::list<playerc_device_info_t> list;
+  for (const MorseRobot* robot : impl_->robot_list) {
+    for (const MorseDevice* device : robot->GetDevices()) {
+      const auto* source = dynamic_cast<const MorsePropertySource*>(device);
+      if (!source) continue;
+      const MorseValue proxies = source->GetAll().Member("proxies");
+      for (const std::string& interface : proxies.GetKeys()) {
+        const MorseValue indexes = proxies.Member(interface);
+        for (const std::string& index : indexes.GetKeys()) {
+          playerc_device_info_t info;
+          info.addr.robot = GetPort();
+          info.addr.interf = static_cast<std::uint16_t>(LookupCode(interface));
+          info.addr.index = static_cast<std::uint16_t>(std::strtoul(index.c_str(), nullptr, 10));
+          const std::string name = robot->GetName() + "." + indexes.GetString(index);
+          std::strncpy(info.drivername, name.c_str(), sizeof(info.drivername) - 1);
+          list.push_back(info);
+        }
+      }
+    }
+  }
+  return list;
+}
+
+int MorseClient::LookupCode(const std::string& name) const {
+  for (const auto& [known, code] : kInterfaces) {
+    if (name == known) return code;
+  }
+  return kUnknownInterface;
+}
+
+std::string MorseClient::LookupName(int code) const {
+  for (const auto& [name, known] : kInterfaces) {
+    if (code == known) return name;
+  }
+  return "unknown";
+}
+
+std::uint32_t MorseClient::GetOverflowCount() { return 0; }
+
+const std::vector<MorseRobot*>& MorseClient::GetRobots() const { return impl_->robot_list; }
+
+MorseRobot& MorseClient::GetRobot(const std::string& name) const {
+  std::string known;
+  for (MorseRobot* robot : impl_->robot_list) {
+    if (robot->GetName() == name) return *robot;
+    known += (known.empty() ? "" : ", ") + robot->GetName();
+  }
+  throw MorseError("there is no robot \"" + name + "\"; there is " + (known.empty() ? "none" : known),
+                   "MorseClient::GetRobot()");
+}
+
+std::vector<MorseDevice*> MorseClient::GetDevices() const {
+  std::vector<MorseDevice*> devices;
+  for (const auto& device : impl_->devices) devices.push_back(device.get());
+  return devices;
+}
+
+bool MorseClient::IsCCMorse() const { return impl_->ccmorse; }
+std::string MorseClient::GetServerName() const { return impl_->server; }
+std::string MorseClient::GetPace() const { return impl_->pace; }
+double MorseClient::GetFrequency() const { return impl_->frequency; }
+double MorseClient::GetReadPeriod() const { return impl_->read_period; }
+
+double MorseClient::GetTime() const {
+  const std::lock_guard lock(impl_->data_mutex);
+  return impl_->time;
+}
+
+void MorseClient::Command(const std::string& component, const std::string& service,
+                          const MorseArgs& args) {
+  impl_->connection.Queue({component, service, args.ToString()});
+}
+
+MorseValue MorseClient::Request(const std::string& component, const std::string& service,
+                                const MorseArgs& args, double timeout) {
+  constexpr char kFunction[] = "MorseClient::Request()";
+  Impl& impl = *impl_;
+  const std::string what = component + " " + service;
+  Connection::Patience patience;
+  patience.timeout = timeout > 0.0 ? timeout : GetRequestTimeout();
+  const auto batch = impl.connection.Send({{component, service, args.ToString()}});
+  if (impl.connection.Wait(batch, patience, kFunction) == Connection::Outcome::kTimeout) {
+    throw MorseError("no answer to " + what + " in time", kFunction);
+  }
+  const Reply& reply = batch->replies[0];
+  if (!reply.success) {
+    throw MorseError("the simulator refused " + what + ": " + Reason(reply.text), kFunction);
+  }
+  const std::optional<MorseValue> value = ValueOf(reply);
+  if (!value) throw MorseError("the answer to " + what + " is no JSON", kFunction);
+  return *value;
+}
+
+void MorseClient::Flush() { impl_->connection.Flush(kRequestTimeout); }
+
+}  // namespace CCMorse

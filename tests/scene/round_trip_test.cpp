@@ -1,0 +1,155 @@
+// ToJson writes what ParseScenario reads, for any scenario.
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "scene/scenario.h"
+
+namespace ccmorse::scene {
+namespace {
+
+bool Same(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+bool Same(const Pose2& a, const Pose2& b) { return a.x == b.x && a.y == b.y && a.yaw == b.yaw; }
+
+bool Same(const Box& a, const Box& b) {
+  return a.id == b.id && a.kind == b.kind && Same(a.pose, b.pose) && a.size_x == b.size_x &&
+         a.size_y == b.size_y && a.height == b.height && a.color == b.color &&
+         a.dynamic == b.dynamic && a.raised == b.raised;
+}
+
+bool Same(const Light& a, const Light& b) {
+  return a.kind == b.kind && Same(a.position, b.position) && a.energy == b.energy &&
+         a.shadows == b.shadows;
+}
+
+bool Same(const LaserDef& a, const LaserDef& b) {
+  return Same(a.position, b.position) && a.yaw == b.yaw && a.frequency == b.frequency &&
+         a.scan_window_deg == b.scan_window_deg && a.resolution_deg == b.resolution_deg &&
+         a.range == b.range && a.layer_offset == b.layer_offset && a.visible_arc == b.visible_arc &&
+         a.samples == b.samples;
+}
+
+bool Same(const RobotDef& a, const RobotDef& b) {
+  return a.name == b.name && a.type == b.type && Same(a.pose, b.pose) && a.color == b.color &&
+         a.proxies == b.proxies && a.drivers == b.drivers && Same(a.laser, b.laser);
+}
+
+template <typename T>
+bool Same(const std::vector<T>& a, const std::vector<T>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!Same(a[i], b[i])) return false;
+  }
+  return true;
+}
+
+bool Same(const Scenario& a, const Scenario& b) {
+  return a.name == b.name && a.world.name == b.world.name && a.world.size_x == b.world.size_x &&
+         a.world.size_y == b.world.size_y && a.world.floor == b.world.floor &&
+         Same(a.world.boxes, b.world.boxes) && Same(a.world.docks, b.world.docks) &&
+         Same(a.world.lights, b.world.lights) && Same(a.robots, b.robots) &&
+         a.canvas.width == b.canvas.width && a.canvas.height == b.canvas.height &&
+         a.canvas.alpha == b.canvas.alpha && a.canvas.mode == b.canvas.mode &&
+         a.canvas.mode_switching == b.canvas.mode_switching &&
+         Same(a.camera.position, b.camera.position) && Same(a.camera.rotation, b.camera.rotation) &&
+         a.time.frequency == b.time.frequency && a.time.strategy == b.time.strategy &&
+         a.time.factor == b.time.factor && a.time.read_frequency == b.time.read_frequency &&
+         a.seed == b.seed;
+}
+
+// A real number in [min, max], of any number of digits.
+double Real(double min, double max) {
+  const auto part = *rc::gen::inRange<std::int64_t>(0, (std::int64_t{1} << 53) + 1);
+  return min + (max - min) * (static_cast<double>(part) / 9007199254740992.0);
+}
+
+Color AnyColor() {
+  const auto channel = [] { return static_cast<std::uint8_t>(*rc::gen::inRange(0, 256)); };
+  return {channel(), channel(), channel()};
+}
+
+Vec3 AnyVector(double limit) {
+  return {Real(-limit, limit), Real(-limit, limit), Real(-limit, limit)};
+}
+
+LaserDef AnyLaser() {
+  LaserDef laser;
+  laser.position = AnyVector(0.1);
+  laser.yaw = Real(-3.0, 3.0);
+  laser.frequency = Real(0.1, 100.0);
+  laser.scan_window_deg = Real(1.0, 360.0);
+  laser.samples = *rc::gen::inRange(2, 2000);
+  laser.resolution_deg = laser.scan_window_deg / laser.samples;
+  laser.range = Real(0.1, 100.0);
+  laser.layer_offset = Real(-1.0, 1.0);
+  laser.visible_arc = *rc::gen::arbitrary<bool>();
+  return laser;
+}
+
+RC_GTEST_PROP(C02, WhatToJsonWritesReadsBackTheSame, ()) {
+  Scenario scenario = ParseScenario(R"({"robots": []})", "test.json");
+  for (Box& box : scenario.world.boxes) {
+    if (box.dynamic) box.raised = *rc::gen::arbitrary<bool>();
+  }
+  scenario.world.floor = AnyColor();
+  const int robots = *rc::gen::inRange(0, 14);
+  for (int i = 0; i < robots; ++i) {
+    RobotDef robot;
+    robot.name = "robot_" + std::to_string(i);
+    robot.pose = scenario.world.docks[static_cast<std::size_t>(i)];
+    robot.color = AnyColor();
+    robot.laser = AnyLaser();
+    robot.proxies["position2d"][*rc::gen::inRange(0, 65536)] = "odometry";
+    robot.proxies["laser"];
+    robot.drivers["snd"] = Json::Object{{"max_speed", Real(0.0, 1.0)}, {"name", "a \"b\" \n"}};
+    scenario.robots.push_back(robot);
+  }
+  scenario.canvas.width = *rc::gen::inRange(1, 4097);
+  scenario.canvas.height = *rc::gen::inRange(1, 4097);
+  scenario.canvas.alpha = Real(0.0, 1.0);
+  scenario.canvas.mode = *rc::gen::element<std::string>("ground", "minimap", "fullscreen");
+  scenario.canvas.mode_switching = *rc::gen::arbitrary<bool>();
+  scenario.camera = {AnyVector(100.0), AnyVector(6.0)};
+  scenario.time.frequency = Real(1.0, 1000.0);
+  scenario.time.strategy = *rc::gen::element<std::string>("realtime", "lockstep", "max");
+  scenario.time.factor = Real(0.001, 1000.0);
+  scenario.time.read_frequency = Real(0.001, 1000.0);
+  scenario.seed = static_cast<std::uint64_t>(*rc::gen::inRange<std::int64_t>(0, INT64_MAX));
+
+  const std::string text = ToJson(scenario).Dump();
+  const Scenario read = ParseScenario(text, "test.json");
+  RC_ASSERT(Same(scenario, read));
+  RC_ASSERT(ToJson(read).Dump() == text);
+}
+
+TEST(C02, DeliveredScenariosReadBackTheSame) {
+  for (const std::string& name : ListScenarios()) {
+    const Scenario scenario = LoadScenario(FindScenario(name));
+    EXPECT_TRUE(Same(scenario, ParseScenario(ToJson(scenario).Dump(), name + ".json"))) << name;
+  }
+}
+
+// Whatever a byte of a file is changed to, reading it ends in a scenario or in an Error that starts
+// with the file's name.
+RC_GTEST_PROP(ScenarioErrors, NoChangedByteDoesHarm, ()) {
+  std::string text = R"({"world": "syrotek", "obstacles": {"up": [5, 10]},
+ "robots": [{"name": "s1r", "pose": {"x": 1.2, "y": 2.0, "yaw_deg": 150}, "color": "#102030",
+   "proxies": {"position2d": {"0": "pose"}}, "laser": {"scan_window_deg": 180, "samples": 91}}],
+ "canvas": {"width": 172}, "time": {"frequency": 60}, "seed": 3})";
+  const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
+  text[at] = *rc::gen::arbitrary<char>();
+  try {
+    ParseScenario(text, "test.json");
+  } catch (const Error& error) {
+    RC_ASSERT(std::string(error.what()).starts_with("test.json:"));
+    RC_ASSERT(std::string(error.what()).find('\n') == std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace ccmorse::scene

@@ -1,0 +1,140 @@
+#include "sim/rays/planar_scan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <random>
+
+#include "base/polygon.h"
+#include "base/trig.h"
+#include "scene/scenario.h"
+
+namespace ccmorse::sim {
+namespace {
+
+// The reference: every ray against every edge, in long double, with the C library's trigonometry.
+struct Reference {
+  long double range;
+  bool near_edge;  // a corner lies within 1e-9 rad of the beam: either answer is right
+};
+
+Reference CastBruteForce(const Pose2& pose, long double bearing, double range,
+                         const PlanarWorld& world, int self) {
+  const long double angle = static_cast<long double>(pose.yaw) + bearing;
+  const long double dx = std::cos(angle);
+  const long double dy = std::sin(angle);
+  Reference result{range, false};
+  for (const PlanarWorld::Outline& outline : world.outlines()) {
+    if (outline.owner >= 0 && outline.owner == self) continue;
+    const auto corners = world.Corners(outline);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec2 from = corners[i];
+      const Vec2 to = corners[(i + 1) % corners.size()];
+      const long double ax = static_cast<long double>(from.x) - pose.x;
+      const long double ay = static_cast<long double>(from.y) - pose.y;
+      const long double ex = static_cast<long double>(to.x) - from.x;
+      const long double ey = static_cast<long double>(to.y) - from.y;
+      const long double across = dx * ay - dy * ax;
+      const long double along = dx * ax + dy * ay;
+      if (along > 0 && std::fabs(across / along) < 1e-9L) result.near_edge = true;
+      const long double parallel = dx * ey - dy * ex;
+      if (parallel == 0) continue;
+      const long double distance = (ax * ey - ay * ex) / parallel;
+      const long double part = (ax * dy - ay * dx) / parallel;
+      if (distance >= 0 && part >= 0 && part <= 1) result.range = std::min(result.range, distance);
+    }
+  }
+  return result;
+}
+
+int Mismatches(PlanarScanner& scanner, double first, double step, const Pose2& pose,
+               const PlanarWorld& fixed, const PlanarWorld& moving, int self) {
+  std::vector<double> ranges(static_cast<std::size_t>(scanner.count()));
+  scanner.Scan(pose, fixed, moving, self, ranges);
+  int wrong = 0;
+  for (int i = 0; i < scanner.count(); ++i) {
+    const long double bearing = static_cast<long double>(first) + i * static_cast<long double>(step);
+    const Reference a = CastBruteForce(pose, bearing, scanner.range(), fixed, self);
+    const Reference b = CastBruteForce(pose, bearing, scanner.range(), moving, self);
+    if (a.near_edge || b.near_edge) continue;
+    const double expected = static_cast<double>(std::min(a.range, b.range));
+    const double got = ranges[static_cast<std::size_t>(i)];
+    if (!(std::fabs(got - expected) <= 1e-9)) {
+      ++wrong;
+      std::cout << "beam " << i << " is " << got << ", the reference says " << expected << "\n";
+    }
+  }
+  return wrong;
+}
+
+TEST(PlanarScan, AgreesWithBruteForceOnRandomScenes) {
+  const std::uint64_t seed = std::random_device{}();
+  std::cout << "random seed " << seed << "\n";
+  std::mt19937_64 random(seed);
+  const auto uniform = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  int wrong = 0;
+  for (int scene = 0; scene < 1000; ++scene) {
+    PlanarWorld fixed;
+    PlanarWorld moving;
+    const Pose2 pose{uniform(-2, 2), uniform(-2, 2), uniform(-4, 4)};
+    const int boxes = static_cast<int>(uniform(0, 40));
+    for (int i = 0; i < boxes; ++i) {
+      const Pose2 at{uniform(-4, 4), uniform(-4, 4), uniform(-4, 4)};
+      const auto corners = BoxCorners(at, uniform(0.02, 1.0), uniform(0.02, 1.0));
+      if (Contains(corners, {pose.x, pose.y})) continue;
+      (i % 3 == 0 ? moving : fixed).Add(corners, i % 3 == 0 ? i : -1);
+    }
+    const int count = static_cast<int>(uniform(1, 300));
+    const double window = uniform(0.1, 2 * kPi);
+    const double step = window / count;
+    const double first = uniform(-kPi, kPi - 0.1);
+    PlanarScanner scanner(count, first, step, uniform(0.5, 6.0));
+    wrong += Mismatches(scanner, first, step, pose, fixed, moving, 3);
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(PlanarScan, AgreesWithBruteForceInTheSyrotekArena) {
+  const scene::Scenario scenario = scene::LoadScenario(scene::FindScenario("syrotek"));
+  PlanarWorld boxes;
+  for (const scene::Box& box : scenario.world.boxes) {
+    if (box.raised) boxes.Add(BoxCorners(box.pose, box.size_x, box.size_y));
+  }
+  const scene::LaserDef laser;
+  const double first = -Radians(laser.scan_window_deg) / 2.0;
+  const double step = Radians(laser.resolution_deg);
+  PlanarScanner scanner(laser.samples, first, step, laser.range);
+  int wrong = 0;
+  for (const Pose2 pose : {Pose2{1.2, 2.0, 2.618}, Pose2{0.18, 3.4, -1.57}, Pose2{1.15, 0.5, 0.0},
+                           Pose2{3.1, 1.0, kPi}, Pose2{1.654, 2.253, -1.6}}) {
+    wrong += Mismatches(scanner, first, step, pose, boxes, {}, -1);
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(PlanarScan, ItsOwnRobotIsInvisible) {
+  PlanarWorld moving;
+  moving.Add(BoxCorners({1.0, 0.0, 0.0}, 0.2, 0.2), 5);
+  PlanarScanner scanner(1, 0.0, 0.1, 4.0);
+  std::vector<double> range(1);
+  scanner.Scan({}, {}, moving, 5, range);
+  EXPECT_EQ(range[0], 4.0);
+  scanner.Scan({}, {}, moving, 4, range);
+  EXPECT_NEAR(range[0], 0.9, 1e-12);
+}
+
+TEST(PlanarScan, ABeamWithoutAHitGivesExactlyTheRange) {
+  PlanarScanner scanner(3, -0.1, 0.1, 5.0);
+  std::vector<double> ranges(3);
+  PlanarWorld far_away;
+  far_away.Add(BoxCorners({5.2, 0.0, 0.0}, 0.2, 3.0));
+  scanner.Scan({}, far_away, {}, -1, ranges);
+  for (const double range : ranges) EXPECT_EQ(range, 5.0);
+}
+
+}  // namespace
+}  // namespace ccmorse::sim
