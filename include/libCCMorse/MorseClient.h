@@ -10,8 +10,8 @@
 #include "libCCMorse/MorseDevice.h"
 #include "libCCMorse/MorseError.h"
 #include "libCCMorse/MorseRobot.h"
-#include "libCCMorse/Types.h"
 #include "libCCMorse/MorseValue.h"
+#include "libCCMorse/Types.h"
 
 namespace CCMorse {
 
@@ -20,8 +20,8 @@ namespace CCMorse {
 ///
 /// There is one client for each address: GetInstance() and Share() give the same object as long as
 /// it is connected. The client owns the robots and devices. Every method may be called from any
-/// thread: one may be inside Read() while others use getters, commands and requests. Data are locked
-/// only while they are copied.
+/// thread: one may be inside Read() while others use getters, commands and requests. Data are
+/// locked only while they are copied.
 ///
 /// No method waits without a limit on a simulator that does not answer: after 3 s of silence, or at
 /// once when the connection breaks, it throws MorseError. A Read() that waits for other clients of
@@ -55,14 +55,14 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
 
   /// Sends the commands that wait and brings fresh data of every polled device (thesis 3.3): one
   /// message out, one query a device, then the valid and fresh flags of all proxies. It returns at
-  /// the next read time of the simulation, so it paces a loop. Throws MorseError when the connection
-  /// breaks, when the simulation has ended (see MorseError::SimulationEnded()), and, after the data
-  /// were taken, when the simulator refused an earlier command.
+  /// the next read time of the simulation, so it paces a loop. Throws MorseError when the
+  /// connection breaks, when the simulation has ended (see MorseError::SimulationEnded()), and,
+  /// after the data were taken, when the simulator refused an earlier command.
   void Read();
   /// Whether Read() would find something without waiting; waits up to `timeout_ms` for it. In a
   /// simulation in lock-step time stands still between two reads, so the first Peek(0) after a
-  /// Read() is false, and any further one true: `while (Peek(0)) Read();` ends. On plain MORSE it is
-  /// true when a tick, 1/60 s, has passed since the last Read(). Throws MorseError when the
+  /// Read() is false, and any further one true: `while (Peek(0)) Read();` ends. On plain MORSE it
+  /// is true when a tick, 1/60 s, has passed since the last Read(). Throws MorseError when the
   /// connection is lost.
   bool Peek(int timeout_ms = 0);
   /// Read() if Peek(0).
@@ -71,8 +71,9 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
   void Run(int timeout_ms = 10);
   /// Ends Run() and the loop of StartThread() after the current Read().
   void Stop();
-  /// Starts a thread that reads in a loop. An error ends it; the next Read() reports it. Nothing
-  /// happens when it runs already.
+  /// Starts a thread that reads in a loop. A refused command does not end it; the end of the
+  /// simulation and a lost connection do, and the next Read() reports them. Nothing happens when it
+  /// runs already.
   void StartThread();
   /// Ends that thread, even when its Read() still waits for other clients, and joins it.
   void StopThread();
@@ -82,10 +83,10 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
   double GetRequestTimeout() const;  ///< s
   /// Kept for Player's programs: the client never reconnects by itself. Default 0.
   void SetRetryLimit(int limit);
-  int GetRetryLimit() const;         ///< as set
+  int GetRetryLimit() const;  ///< as set
   /// Kept for Player's programs, s. Default 2.
   void SetRetryTime(double seconds);
-  double GetRetryTime() const;       ///< s, as set
+  double GetRetryTime() const;  ///< s, as set
   /// No effect: data are always pulled, and only the latest are kept. 1 push, 2 pull.
   void SetDataMode(int mode);
   /// No effect: only the latest data are ever kept.

@@ -14,9 +14,13 @@ class MorseError : public std::exception {
  public:
   /// Code of an error that says that the simulation came to its planned end.
   static constexpr int kSimulationEnded = 1;
+  /// Code of an error that says that the simulator refused a command or request; all else goes on.
+  static constexpr int kRefused = 2;
+  /// Code of an error that says that a later request took the place of this one.
+  static constexpr int kPreempted = 3;
 
   /// `str`: what happened and where; `fun`: the function, as "Class::Method()"; `code`: -1 when
-  /// nothing more is known (as in Player), kSimulationEnded at the end of a run.
+  /// nothing more is known (as in Player), else one of the above.
   explicit MorseError(std::string str = "", std::string fun = "", int code = -1)
       : str_(std::move(str)), fun_(std::move(fun)), code_(code), what_(fun_ + ": " + str_) {}
 

@@ -7,19 +7,19 @@
 
 namespace CCMorse {
 
-/// A laser scanner, MORSE's LaserScanner and its kinds (thesis 4.1.2). Beam 0 is the right-most one;
-/// indexes run counter-clockwise. Settings are read once, when the client connects. Getters give 0
-/// before the first data. Owned by the client; any thread.
+/// A laser scanner, MORSE's LaserScanner and its kinds (thesis 4.1.2). Beam 0 is the right-most
+/// one; indexes run counter-clockwise. Settings are read once, when the client connects. Getters
+/// give 0 before the first data. Owned by the client; any thread.
 class MorseLaser : public MorseSensor {
  public:
   explicit MorseLaser(const MorseDeviceInfo& info);
 
-  double GetMaxRange() const { return max_range_; }      ///< m
-  double GetResolution() const { return resolution_; }   ///< rad between two beams
-  double GetScanWindow() const { return scan_window_; }  ///< rad from the first beam to the last
+  double GetMaxRange() const { return max_range_; }         ///< m
+  double GetResolution() const { return resolution_; }      ///< rad between two beams
+  double GetScanWindow() const { return scan_window_; }     ///< rad from the first beam to the last
   double GetMinAngle() const { return -scan_window_ / 2; }  ///< rad, bearing of beam 0
   double GetMaxAngle() const { return scan_window_ / 2; }   ///< rad, the scan's other edge
-  double GetFrequency() const { return frequency_; }     ///< scans a second; 0 when unknown
+  double GetFrequency() const { return frequency_; }        ///< scans a second; 0 when unknown
   /// Where the scanner sits on the robot, m and rad.
   player_pose3d_t GetMounting() const { return mounting_; }
 

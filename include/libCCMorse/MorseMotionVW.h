@@ -4,8 +4,8 @@
 
 namespace CCMorse {
 
-/// The actuator that drives a robot by forward speed and turn rate, MORSE's MotionVW (thesis 3.1.3).
-/// Owned by the client; any thread.
+/// The actuator that drives a robot by forward speed and turn rate, MORSE's MotionVW
+/// (thesis 3.1.3). Owned by the client; any thread.
 class MorseMotionVW : public MorseActuator, public MorseSpeedControl {
  public:
   explicit MorseMotionVW(const MorseDeviceInfo& info);

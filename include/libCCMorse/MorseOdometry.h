@@ -12,13 +12,13 @@ class MorseOdometry : public MorseSensor {
  public:
   explicit MorseOdometry(const MorseDeviceInfo& info);
 
-  player_pose3d_t GetPose() const;   ///< m and rad, from the start
-  player_pose3d_t GetSpeed() const;  ///< m/s along x, y, z and rad/s about them
-  double GetX() const { return GetPose().px; }         ///< m
-  double GetY() const { return GetPose().py; }         ///< m
-  double GetYaw() const { return GetPose().pyaw; }     ///< rad, counter-clockwise
-  double GetXSpeed() const { return GetSpeed().px; }   ///< m/s, forward
-  double GetYSpeed() const { return GetSpeed().py; }   ///< m/s, to the left
+  player_pose3d_t GetPose() const;                    ///< m and rad, from the start
+  player_pose3d_t GetSpeed() const;                   ///< m/s along x, y, z and rad/s about them
+  double GetX() const { return GetPose().px; }        ///< m
+  double GetY() const { return GetPose().py; }        ///< m
+  double GetYaw() const { return GetPose().pyaw; }    ///< rad, counter-clockwise
+  double GetXSpeed() const { return GetSpeed().px; }  ///< m/s, forward
+  double GetYSpeed() const { return GetSpeed().py; }  ///< m/s, to the left
   double GetYawSpeed() const { return GetSpeed().pyaw; }  ///< rad/s, counter-clockwise
   /// Whether the robot pushes against something and does not get on; false on plain MORSE.
   bool GetStall() const;

@@ -18,15 +18,15 @@ template <class... T>
 using Channel_t = std::conditional_t<(std::is_floating_point_v<T> || ...), double, int>;
 
 /// The pen that draws on the simulation's canvas (thesis 4.2.1, 4.2.2): a window with its origin in
-/// the bottom-left corner, over the floor of the world. Only simulators with a canvas have it. Owned
-/// by the client; any thread.
+/// the bottom-left corner, over the floor of the world. Only simulators with a canvas have it.
+/// Owned by the client; any thread.
 class MorsePen : public MorseActuator {
  public:
   explicit MorsePen(const MorseDeviceInfo& info);
 
-  // --- Drawing. Cells outside the canvas are left out. Drawing leaves with the next Read(), and the
-  // canvas shows it then. Integer channels and alpha run 0..255 (held within), decimal ones 0..1;
-  // alpha mixes the colour with what is there: 0 leaves it, the highest value covers it.
+  // --- Drawing. Cells outside the canvas are left out. Drawing leaves with the next Read(), and
+  // the canvas shows it then. Integer channels and alpha run 0..255 (held within), decimal ones
+  // 0..1; alpha mixes the colour with what is there: 0 leaves it, the highest value covers it.
 
   /// Colours a cell, channels 0..255 (thesis 4.2.2).
   void SetPixel(int x, int y, int r, int g, int b);
@@ -42,8 +42,8 @@ class MorsePen : public MorseActuator {
   void SetPixel(int x, int y, const std::string& color);
   void SetPixel(int x, int y, const std::string& color, int alpha);
   void SetPixel(int x, int y, const std::string& color, double alpha);
-  /// Any mixture of numbers: all are taken as decimal when a channel is, as integers otherwise, when
-  /// only alpha may be decimal.
+  /// Any mixture of numbers: all are taken as decimal when a channel is, as integers otherwise,
+  /// when only alpha may be decimal.
   template <class R, class G, class B, class... Alpha>
   std::enable_if_t<kAreNumbers<R, G, B, Alpha...>> SetPixel(int x, int y, R r, G g, B b,
                                                             Alpha... alpha) {
@@ -68,8 +68,8 @@ class MorsePen : public MorseActuator {
   void SetLine(int x0, int y0, int x1, int y1, const std::string& color, double alpha);
   /// Any mixture of numbers, as SetPixel() takes it.
   template <class R, class G, class B, class... Alpha>
-  std::enable_if_t<kAreNumbers<R, G, B, Alpha...>> SetLine(int x0, int y0, int x1, int y1, R r,
-                                                           G g, B b, Alpha... alpha) {
+  std::enable_if_t<kAreNumbers<R, G, B, Alpha...>> SetLine(int x0, int y0, int x1, int y1, R r, G g,
+                                                           B b, Alpha... alpha) {
     using Channel = Channel_t<R, G, B>;
     SetLine(x0, y0, x1, y1, static_cast<Channel>(r), static_cast<Channel>(g),
             static_cast<Channel>(b), static_cast<Channel_t<Channel, Alpha>>(alpha)...);
@@ -109,7 +109,7 @@ class MorsePen : public MorseActuator {
   void OnSetup(const std::string& service, const MorseValue& answer) override;
 
  private:
-  void Draw(const char* service, MorseArgs args, double r, double g, double b, double alpha);
+  void Draw(const char* service, const std::vector<int>& cells, Color_t color, double alpha);
   void TakeSize(const MorseValue& size);
 
   // Under the data mutex.

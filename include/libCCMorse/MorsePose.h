@@ -10,8 +10,8 @@ class MorsePose : public MorseSensor, public MorsePoseSource {
  public:
   explicit MorsePose(const MorseDeviceInfo& info);
 
-  bool HasPose() const override;               ///< whether sensible data arrived
-  player_pose3d_t GetPose() const override;    ///< m and rad, in the world
+  bool HasPose() const override;                        ///< whether sensible data arrived
+  player_pose3d_t GetPose() const override;             ///< m and rad, in the world
   double GetX() const { return GetPose().px; }          ///< m
   double GetY() const { return GetPose().py; }          ///< m
   double GetZ() const { return GetPose().pz; }          ///< m

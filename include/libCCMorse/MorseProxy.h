@@ -38,11 +38,11 @@ class MorseProxy {
   /// Simulated time between the last two data, s; as in Player, the first counts from 0.
   double GetElapsedTime() const;
 
-  std::uint32_t GetIndex() const { return index_; }              ///< as given to the constructor
+  std::uint32_t GetIndex() const { return index_; }                 ///< as given to the constructor
   PlayerClient* GetPlayerClient() const { return player_client_; }  ///< as given to the constructor
-  MorseRobot& GetRobot() const { return *robot_; }               ///< the robot it belongs to
-  std::uint32_t GetInterface() const;                            ///< Player's code of the interface
-  std::string GetInterfaceStr() const { return interface_; }     ///< "position2d", "laser"
+  MorseRobot& GetRobot() const { return *robot_; }                  ///< the robot it belongs to
+  std::uint32_t GetInterface() const;                         ///< Player's code of the interface
+  std::string GetInterfaceStr() const { return interface_; }  ///< "position2d", "laser"
   /// Name of the device that gives the data, "s1r.hokuyo".
   std::string GetDriverName() const;
 
@@ -70,7 +70,8 @@ class MorseProxy {
   /// A proxy over `device`, whose data decide over valid and fresh.
   MorseProxy(PlayerClient* client, std::uint32_t index, std::string interface, MorseDevice& device);
 
-  /// Guards what a proxy computes from; not to be held while a device's or robot's method is called.
+  /// Guards what a proxy computes from; not to be held while a device's or robot's method is
+  /// called.
   std::mutex& ProxyMutex() const { return mutex_; }
   MorseClient& Client() const { return *client_; }
 

@@ -25,9 +25,9 @@ class MorseRobot {
   MorseRobot(const MorseRobot&) = delete;
   MorseRobot& operator=(const MorseRobot&) = delete;
 
-  const std::string& GetName() const { return name_; }       ///< name in the simulation, "s1r"
-  const std::string& GetType() const { return type_; }       ///< class in the simulation, "Syrotek"
-  MorseClient& GetClient() const { return client_; }         ///< the client that owns the robot
+  const std::string& GetName() const { return name_; }  ///< name in the simulation, "s1r"
+  const std::string& GetType() const { return type_; }  ///< class in the simulation, "Syrotek"
+  MorseClient& GetClient() const { return client_; }    ///< the client that owns the robot
   /// All devices, in the order in which the simulator lists them.
   const std::vector<MorseDevice*>& GetDevices() const { return devices_; }
 
@@ -79,13 +79,13 @@ class MorseRobot {
   double GetYaw() const { return GetPose().pyaw; }  ///< rad, see GetPose()
 
   // From the configuration; each throws MorseError when the simulator does not tell.
-  double GetWeight() const;          ///< kg
-  player_bbox3d_t GetSize() const;   ///< length, width, height, m
-  double GetWheelRadius() const;     ///< m
-  double GetWheelTrack() const;      ///< m between the wheels' middles
-  double GetMaxSpeed() const;        ///< m/s
-  double GetMaxTurnRate() const;     ///< rad/s
-  Color_t GetColor() const;          ///< colour of the body
+  double GetWeight() const;         ///< kg
+  player_bbox3d_t GetSize() const;  ///< length, width, height, m
+  double GetWheelRadius() const;    ///< m
+  double GetWheelTrack() const;     ///< m between the wheels' middles
+  double GetMaxSpeed() const;       ///< m/s
+  double GetMaxTurnRate() const;    ///< rad/s
+  Color_t GetColor() const;         ///< colour of the body
 
  private:
   friend class MorseClient;

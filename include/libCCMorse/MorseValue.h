@@ -13,8 +13,8 @@ class Json;
 namespace CCMorse {
 
 /// A value that a simulator sent: a number, a text, a list or an object of named values
-/// (thesis 3.3). It is read-only and shares its storage with its copies, so copying is cheap, it may
-/// outlive the connection, and several threads may read it.
+/// (thesis 3.3). It is read-only and shares its storage with its copies, so copying is cheap, it
+/// may outlive the connection, and several threads may read it.
 ///
 /// A path names a value inside it: keys of objects and positions in lists joined by dots, as in
 /// "color.0" or "pose.yaw"; the empty path is the value itself. Getters give the fallback when the
@@ -24,7 +24,8 @@ class MorseValue {
   /// The null value: what a service without a result answers.
   MorseValue();
 
-  /// Parses JSON, bare NaN and Infinity included. Throws MorseError that says where the text is wrong.
+  /// Parses JSON, bare NaN and Infinity included. Throws MorseError that says where the text is
+  /// wrong.
   static MorseValue Parse(const std::string& text);
 
   bool IsNull() const;    ///< no value

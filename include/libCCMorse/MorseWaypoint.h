@@ -16,8 +16,8 @@ class MorseWaypoint : public MorseActuator, public MorseGoalControl {
   /// leaves with the next Read(). Throws MorseError when a number is not finite.
   void SetGoal(double x, double y, double tolerance = 0.1, double speed = 1.0) override;
   /// Drives there and waits until it is reached: true, or false when another goal took its place.
-  /// `timeout`, s. In a simulation in lock-step another thread must read meanwhile. Throws MorseError
-  /// when it takes longer or the simulator refuses.
+  /// `timeout`, s. In a simulation in lock-step another thread must read meanwhile. Throws
+  /// MorseError when it takes longer or the simulator refuses.
   bool GoTo(double x, double y, double tolerance = 0.1, double speed = 1.0, double timeout = 60.0);
   /// Stops; Resume() goes on. With the next Read().
   void Stop() override;

@@ -26,14 +26,14 @@ class PlayerClient {
   PlayerClient(const PlayerClient&) = delete;
   PlayerClient& operator=(const PlayerClient&) = delete;
 
-  void Read();                    ///< MorseClient::Read()
-  bool Peek(int timeout_ms = 0);  ///< MorseClient::Peek()
-  void ReadIfWaiting();           ///< MorseClient::ReadIfWaiting()
-  bool Connected() const;         ///< MorseClient::Connected()
-  void StartThread();             ///< MorseClient::StartThread()
-  void StopThread();              ///< MorseClient::StopThread()
-  void Run(int timeout_ms = 10);  ///< MorseClient::Run()
-  void Stop();                    ///< MorseClient::Stop()
+  void Read();                                    ///< MorseClient::Read()
+  bool Peek(int timeout_ms = 0);                  ///< MorseClient::Peek()
+  void ReadIfWaiting();                           ///< MorseClient::ReadIfWaiting()
+  bool Connected() const;                         ///< MorseClient::Connected()
+  void StartThread();                             ///< MorseClient::StartThread()
+  void StopThread();                              ///< MorseClient::StopThread()
+  void Run(int timeout_ms = 10);                  ///< MorseClient::Run()
+  void Stop();                                    ///< MorseClient::Stop()
   void SetRequestTimeout(std::uint32_t seconds);  ///< MorseClient::SetRequestTimeout()
   void SetRetryLimit(int limit);                  ///< MorseClient::SetRetryLimit()
   int GetRetryLimit() const;                      ///< MorseClient::GetRetryLimit()
@@ -42,13 +42,13 @@ class PlayerClient {
   void SetDataMode(std::uint32_t mode);           ///< MorseClient::SetDataMode()
   /// MorseClient::SetReplaceRule()
   void SetReplaceRule(bool replace, int type = -1, int subtype = -1, int interf = -1);
-  void RequestDeviceList();                       ///< MorseClient::RequestDeviceList()
+  void RequestDeviceList();                                ///< MorseClient::RequestDeviceList()
   std::list<playerc_device_info_t> GetDeviceList() const;  ///< MorseClient::GetDeviceList()
-  std::string GetHostname() const;                ///< MorseClient::GetHostname()
-  std::uint32_t GetPort() const;                  ///< MorseClient::GetPort()
-  int LookupCode(std::string name) const;         ///< MorseClient::LookupCode()
-  std::string LookupName(int code) const;         ///< MorseClient::LookupName()
-  std::uint32_t GetOverflowCount();               ///< MorseClient::GetOverflowCount()
+  std::string GetHostname() const;                         ///< MorseClient::GetHostname()
+  std::uint32_t GetPort() const;                           ///< MorseClient::GetPort()
+  int LookupCode(std::string name) const;                  ///< MorseClient::LookupCode()
+  std::string LookupName(int code) const;                  ///< MorseClient::LookupName()
+  std::uint32_t GetOverflowCount();                        ///< MorseClient::GetOverflowCount()
 
   /// The client that does the work.
   MorseClient& GetMorseClient() const { return *client_; }

@@ -14,21 +14,22 @@ namespace CCMorse {
 /// The simulation's canvas in the shape of a proxy (thesis 4.2.2), over the first pen that the
 /// simulation has. The real robot has no such thing: programs for both use it inside #ifdef _MORSE.
 ///
-/// There is at most one. GetInstance(client, width, height) makes it, `delete &GetInstance()` ends it
-/// (thesis listing C.2, line 80), and a new one may follow. It may outlive the client: then drawing
-/// is ignored. Any thread may draw; making and deleting is up to one.
+/// There is at most one. GetInstance(client, width, height) makes it, `delete &GetInstance()` ends
+/// it (thesis listing C.2, line 80), and a new one may follow. It may outlive the client: then
+/// drawing is ignored. Any thread may draw; making and deleting is up to one.
 class WindowProxy : public MorseProxy {
  public:
-  /// Makes the window with `width` times `height` cells, or changes the one there is to that size
-  /// and client. Throws MorseError when the simulation has no pen or refuses the size.
+  /// Makes the window with `width` times `height` cells, or changes the one there is to that size.
+  /// Throws MorseError when the simulation has no pen or refuses the size, and when there is a
+  /// window of another client.
   static WindowProxy& GetInstance(PlayerClient* client, int width, int height);
   /// The window. Throws MorseError when there is none.
   static WindowProxy& GetInstance();
   ~WindowProxy() override;
 
-  // --- Drawing. Cells outside the canvas are left out. Drawing leaves with the next Read(), and the
-  // canvas shows it then. Integer channels and alpha run 0..255 (held within), decimal ones 0..1;
-  // alpha mixes the colour with what is there: 0 leaves it, the highest value covers it.
+  // --- Drawing. Cells outside the canvas are left out. Drawing leaves with the next Read(), and
+  // the canvas shows it then. Integer channels and alpha run 0..255 (held within), decimal ones
+  // 0..1; alpha mixes the colour with what is there: 0 leaves it, the highest value covers it.
 
   /// Colours a cell, channels 0..255 (thesis 4.2.2).
   void SetPixel(int x, int y, int r, int g, int b);
@@ -44,8 +45,8 @@ class WindowProxy : public MorseProxy {
   void SetPixel(int x, int y, const std::string& color);
   void SetPixel(int x, int y, const std::string& color, int alpha);
   void SetPixel(int x, int y, const std::string& color, double alpha);
-  /// Any mixture of numbers: all are taken as decimal when a channel is, as integers otherwise, when
-  /// only alpha may be decimal.
+  /// Any mixture of numbers: all are taken as decimal when a channel is, as integers otherwise,
+  /// when only alpha may be decimal.
   template <class R, class G, class B, class... Alpha>
   std::enable_if_t<kAreNumbers<R, G, B, Alpha...>> SetPixel(int x, int y, R r, G g, B b,
                                                             Alpha... alpha) {
@@ -70,8 +71,8 @@ class WindowProxy : public MorseProxy {
   void SetLine(int x0, int y0, int x1, int y1, const std::string& color, double alpha);
   /// Any mixture of numbers, as SetPixel() takes it.
   template <class R, class G, class B, class... Alpha>
-  std::enable_if_t<kAreNumbers<R, G, B, Alpha...>> SetLine(int x0, int y0, int x1, int y1, R r,
-                                                           G g, B b, Alpha... alpha) {
+  std::enable_if_t<kAreNumbers<R, G, B, Alpha...>> SetLine(int x0, int y0, int x1, int y1, R r, G g,
+                                                           B b, Alpha... alpha) {
     using Channel = Channel_t<R, G, B>;
     SetLine(x0, y0, x1, y1, static_cast<Channel>(r), static_cast<Channel>(g),
             static_cast<Channel>(b), static_cast<Channel_t<Channel, Alpha>>(alpha)...);

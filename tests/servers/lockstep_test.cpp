@@ -78,7 +78,7 @@ TEST(Lockstep, TheSameCommandsGiveTheSameRun) {
     ServedSimulation served("{}", Pace::kLockstep, 5.0);
     {
       LineClient client(served.port());
-      for (int i = 0; i < 50; ++i) {
+      for (int i = 0; i <= 50; ++i) {  // the last one reads the end
         const std::string w = std::to_string(i % 3 - 1);
         client.Send("1 s1r.motion set_speed [0.2, " + w + "]\n");
         if (packets > 1) client.Ask("2 time now");

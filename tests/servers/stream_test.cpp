@@ -36,7 +36,9 @@ TEST_F(StreamTest, ASensorSendsALineEachActivation) {
     const Json line = Json::Parse(stream.ReadLine().value());
     EXPECT_EQ(line.AsObject()[0].first, "timestamp");
     const double time = line.Find("timestamp")->AsDouble();
-    if (i > 0) EXPECT_NEAR(time - last, 0.1, 1e-9);
+    if (i > 0) {
+      EXPECT_NEAR(time - last, 0.1, 1e-9);
+    }
     last = time;
   }
 }

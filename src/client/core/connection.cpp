@@ -43,9 +43,8 @@ Clock::duration Seconds(double seconds) {
 }
 
 [[noreturn]] void ThrowConnect(const std::string& address, const std::string& reason) {
-  throw MorseError(
-      "cannot connect to " + address + ": " + reason + "; is the simulator running?",
-      kConnectFunction);
+  throw MorseError("cannot connect to " + address + ": " + reason + "; is the simulator running?",
+                   kConnectFunction);
 }
 
 // The system's look-up of names has no time limit, so it runs in a thread that may be left behind.
@@ -135,7 +134,8 @@ struct Connection::Impl {
   }
 
   ~Impl() {
-    // Handlers that never ran are destroyed with io, after the socket: they hold plain pointers only.
+    // Handlers that never ran are destroyed with io, after the socket: they hold plain pointers
+    // only.
     ErrorCode ignored;
     socket.close(ignored);
   }
@@ -225,7 +225,8 @@ struct Connection::Impl {
     const std::string_view status = NextToken(line);
     std::uint64_t id = 0;
     const auto parsed = std::from_chars(token.data(), token.data() + token.size(), id);
-    if (token.empty() || parsed.ec != std::errc() || parsed.ptr != token.data() + token.size()) return;
+    if (token.empty() || parsed.ec != std::errc() || parsed.ptr != token.data() + token.size())
+      return;
     const bool success = status == "SUCCESS";
     if (!success && status != "FAILED" && status != "PREEMPTED") return;
     const auto found = pending.find(id);
@@ -239,11 +240,12 @@ struct Connection::Impl {
       reply.done = true;
       reply.success = success;
       reply.text = std::string(line);
-      if (status == "PREEMPTED" && line.empty()) reply.text = "\"PREEMPTED\"";
+      reply.preempted = status == "PREEMPTED";
       --entry.batch->missing;
     } else if (!entry.component.empty()) {
       --commands_open;
-      if (!success && !refusal) refusal = Refusal{entry.component, entry.service, std::string(line)};
+      if (!success && !refusal)
+        refusal = Refusal{entry.component, entry.service, std::string(line)};
     }
   }
 

@@ -13,7 +13,8 @@ namespace CCMorse::core {
 struct Reply {
   bool done = false;
   bool success = false;
-  std::string text;  ///< JSON; empty for the null value
+  bool preempted = false;  ///< another request took its place
+  std::string text;        ///< JSON; empty for the null value
 };
 
 /// The answers to requests that were sent together. Written by whichever thread pumps the
@@ -79,8 +80,7 @@ class Connection {
   /// `patience` s, then the connection counts as lost.
   void Flush(double patience);
   /// Waits for all answers. Throws MorseError from `function` when the connection is lost.
-  Outcome Wait(const std::shared_ptr<Batch>& batch, const Patience& patience,
-               const char* function);
+  Outcome Wait(const std::shared_ptr<Batch>& batch, const Patience& patience, const char* function);
   /// Wakes the waiting threads to look at their `abandon` flags.
   void Wake();
   /// The first refusal of a command since the last call.

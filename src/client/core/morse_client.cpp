@@ -1,12 +1,12 @@
-#include "libCCMorse/MorseClient.h"
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <thread>
@@ -15,6 +15,7 @@
 #include "client/core/connection.h"
 #include "client/core/device_registry.h"
 #include "client/core/subscription.h"
+#include "libCCMorse/MorseClient.h"
 
 namespace CCMorse {
 
@@ -25,10 +26,10 @@ using core::Reply;
 
 namespace {
 
-constexpr double kMorseTick = 1.0 / 60.0;    // s; MORSE's default frequency
-constexpr double kConnectSilence = 1.9;      // s without any answer while connecting
-constexpr double kRequestTimeout = 5.0;      // s, Player's default
-constexpr double kCloseTimeout = 0.5;        // s for the last commands
+constexpr double kMorseTick = 1.0 / 60.0;  // s; MORSE's default frequency
+constexpr double kConnectSilence = 1.9;    // s without any answer while connecting
+constexpr double kRequestTimeout = 5.0;    // s, Player's default
+constexpr double kCloseTimeout = 0.5;      // s for the last commands
 constexpr char kReadFunction[] = "MorseClient::Read()";
 
 // Player's interface codes that the library has proxies for.
@@ -112,9 +113,8 @@ struct MorseClient::Impl {
   std::mutex data_mutex;  // devices' data, subscriptions, time
   double time = 0.0;
 
-  std::mutex read_mutex;                  // held for a whole Read()
-  std::shared_ptr<Round> unfinished;      // under read_mutex: a Read() that was abandoned
-  std::vector<std::function<void()>> signals;  // under read_mutex
+  std::mutex read_mutex;              // held for a whole Read()
+  std::shared_ptr<Round> unfinished;  // under read_mutex: a Read() that was abandoned
 
   mutable std::mutex state_mutex;
   std::condition_variable state_changed;
@@ -129,6 +129,7 @@ struct MorseClient::Impl {
   std::mutex thread_mutex;  // thread
   std::thread thread;
   std::atomic<bool> stop_thread{false};
+  std::atomic<bool> thread_ended{false};
   std::atomic<bool> stop_run{false};
   std::atomic<bool> closed{false};
 
@@ -228,8 +229,7 @@ void MorseClient::Connect() {
     for (std::size_t i = 0; i < robots.GetSize(); ++i) {
       if (robots.At(i).GetString("name") == name) described = robots.At(i);
     }
-    impl.robots.push_back(
-        std::make_unique<MorseRobot>(*this, name, described.GetString("type")));
+    impl.robots.push_back(std::make_unique<MorseRobot>(*this, name, described.GetString("type")));
     MorseRobot& robot = *impl.robots.back();
     impl.robot_list.push_back(&robot);
     const MorseValue components = described.Member("components");
@@ -280,7 +280,7 @@ void MorseClient::Read() { ReadOnce(false); }
 
 void MorseClient::ReadOnce(bool may_abandon) {
   Impl& impl = *impl_;
-  const std::lock_guard read_lock(impl.read_mutex);
+  std::unique_lock read_lock(impl.read_mutex);
   {
     const std::lock_guard lock(impl.state_mutex);
     impl.in_read = true;
@@ -352,6 +352,7 @@ void MorseClient::ReadOnce(bool may_abandon) {
     time = ValueOf(replies[0]).value_or(MorseValue()).GetDouble("", time);
   }
 
+  std::vector<std::function<void()>> signals;
   {
     const std::lock_guard lock(impl.data_mutex);
     for (std::size_t i = 0; i < round->devices.size(); ++i) {
@@ -362,7 +363,6 @@ void MorseClient::ReadOnce(bool may_abandon) {
       }
     }
     if (std::isfinite(time)) impl.time = time;
-    impl.signals.clear();
     for (const auto& robot : impl.robots) {
       for (const auto& subscription : robot->subscriptions_) {
         const MorseDevice& device = *subscription->device;
@@ -370,24 +370,25 @@ void MorseClient::ReadOnce(bool may_abandon) {
         subscription->valid = device.valid_;
         if (!device.valid_ || !(device.timestamp_ > subscription->time)) continue;
         // The first data count from time 0, as in Player.
-        subscription->elapsed = device.timestamp_ -
-                                (std::isfinite(subscription->time) ? subscription->time : 0.0);
+        subscription->elapsed =
+            device.timestamp_ - (std::isfinite(subscription->time) ? subscription->time : 0.0);
         subscription->time = device.timestamp_;
         subscription->fresh = true;
         for (const auto& [id, subscriber] : subscription->subscribers) {
-          impl.signals.push_back(subscriber);
+          signals.push_back(subscriber);
         }
       }
     }
   }
   leave(true);
-  for (const auto& subscriber : impl.signals) subscriber();
-
   const std::optional<core::Refusal> refusal = impl.connection.TakeRefusal();
+  read_lock.unlock();
+  for (const auto& subscriber : signals) subscriber();
+
   if (!error && refusal) {
     error.emplace("the simulator refused " + refusal->component + " " + refusal->service + ": " +
                       Reason(refusal->reason),
-                  kReadFunction);
+                  kReadFunction, MorseError::kRefused);
   }
   if (error) throw *error;
 }
@@ -414,8 +415,8 @@ bool MorseClient::Peek(int timeout_ms) {
       return timeout_ms > 0 || !first;
     }
     if (!impl.ccmorse) {
-      const auto tick = std::chrono::duration_cast<Clock::duration>(
-          std::chrono::duration<double>(kMorseTick));
+      const auto tick =
+          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kMorseTick));
       const auto due = impl.reads == 0 ? Clock::now() : impl.last_read + tick;
       const auto deadline = Clock::now() + timeout;
       lock.unlock();
@@ -452,22 +453,21 @@ void MorseClient::StartThread() {
   Impl& impl = *impl_;
   const std::lock_guard lock(impl.thread_mutex);
   if (impl.thread.joinable()) {
-    if (!impl.stop_thread) return;
-    impl.thread.join();  // it ended, or is about to
+    if (!impl.stop_thread && !impl.thread_ended) return;
+    impl.connection.Wake();
+    impl.thread.join();
   }
   impl.stop_thread = false;
+  impl.thread_ended = false;
   impl.thread = std::thread([this] {
     while (!impl_->stop_thread) {
       try {
         ReadOnce(true);
-      } catch (const MorseError&) {
-        if (!Connected()) break;
-        // A refused command is no reason to stop; the end of the simulation is.
-        if (impl_->ccmorse && !impl_->stop_thread) {
-          const std::lock_guard state(impl_->state_mutex);
-        }
+      } catch (const MorseError& error) {
+        if (error.GetErrorCode() != MorseError::kRefused) break;
       }
     }
+    impl_->thread_ended = true;
   });
 }
 
@@ -566,8 +566,9 @@ MorseRobot& MorseClient::GetRobot(const std::string& name) const {
     if (robot->GetName() == name) return *robot;
     known += (known.empty() ? "" : ", ") + robot->GetName();
   }
-  throw MorseError("there is no robot \"" + name + "\"; there is " + (known.empty() ? "none" : known),
-                   "MorseClient::GetRobot()");
+  throw MorseError(
+      "there is no robot \"" + name + "\"; there is " + (known.empty() ? "none" : known),
+      "MorseClient::GetRobot()");
 }
 
 std::vector<MorseDevice*> MorseClient::GetDevices() const {
@@ -604,8 +605,13 @@ MorseValue MorseClient::Request(const std::string& component, const std::string&
     throw MorseError("no answer to " + what + " in time", kFunction);
   }
   const Reply& reply = batch->replies[0];
+  if (reply.preempted) {
+    throw MorseError("another request took the place of " + what, kFunction,
+                     MorseError::kPreempted);
+  }
   if (!reply.success) {
-    throw MorseError("the simulator refused " + what + ": " + Reason(reply.text), kFunction);
+    throw MorseError("the simulator refused " + what + ": " + Reason(reply.text), kFunction,
+                     MorseError::kRefused);
   }
   const std::optional<MorseValue> value = ValueOf(reply);
   if (!value) throw MorseError("the answer to " + what + " is no JSON", kFunction);

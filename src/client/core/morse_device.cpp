@@ -1,5 +1,3 @@
-#include "libCCMorse/MorseDevice.h"
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "client/core/device_registry.h"
 #include "libCCMorse/MorseClient.h"
+#include "libCCMorse/MorseDevice.h"
 #include "libCCMorse/MorseError.h"
 #include "libCCMorse/MorseRobot.h"
 
@@ -31,15 +30,16 @@ std::string LowerCase(std::string text) {
   return text;
 }
 
-// Whether `word` stands in `name` on its own, not as a part of a longer word: "pen" is in "s1r_pen_2"
-// and "LeftPen", and not in "gripper_open".
+// Whether `word` stands in `name` on its own, not as a part of a longer word: "pen" is in
+// "s1r_pen_2" and "LeftPen", and not in "gripper_open".
 bool HasWord(const std::string& name, const std::string& word) {
   const std::string lower = LowerCase(name);
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
   const auto is_upper = [](char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; };
   for (std::size_t at = lower.find(word); at != std::string::npos; at = lower.find(word, at + 1)) {
     const std::size_t end = at + word.size();
-    const bool starts = at == 0 || !is_letter(name[at - 1]) || (is_upper(name[at]) && !is_upper(name[at - 1]));
+    const bool starts =
+        at == 0 || !is_letter(name[at - 1]) || (is_upper(name[at]) && !is_upper(name[at - 1]));
     const bool ends = end == name.size() || !is_letter(name[end]) ||
                       (is_upper(name[end]) && !is_upper(name[end - 1]));
     if (starts && ends) return true;

@@ -1,5 +1,3 @@
-#include "libCCMorse/MorseRobot.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 
 #include "client/core/subscription.h"
 #include "libCCMorse/MorseClient.h"
+#include "libCCMorse/MorseRobot.h"
 
 namespace CCMorse {
 
@@ -41,9 +40,11 @@ void MorseRobot::ThrowNoDevice(const std::string& name) const {
   for (const MorseDevice* device : devices_) {
     known += (known.empty() ? "" : ", ") + device->GetShortName();
   }
-  const std::string wanted = name.empty() ? "no device of this class" : "no such device \"" + name + "\"";
-  throw MorseError("robot " + name_ + " has " + wanted + "; it has " + (known.empty() ? "none" : known),
-                   "MorseRobot::GetDevice()");
+  const std::string wanted =
+      name.empty() ? "no device of this class" : "no such device \"" + name + "\"";
+  throw MorseError(
+      "robot " + name_ + " has " + wanted + "; it has " + (known.empty() ? "none" : known),
+      "MorseRobot::GetDevice()");
 }
 
 std::vector<MorseProxy*> MorseRobot::GetProxies() const {
@@ -147,7 +148,9 @@ double MorseRobot::GetWheelTrack() const {
   return Property("wheel_track", "MorseRobot::GetWheelTrack()");
 }
 
-double MorseRobot::GetMaxSpeed() const { return Property("max_speed", "MorseRobot::GetMaxSpeed()"); }
+double MorseRobot::GetMaxSpeed() const {
+  return Property("max_speed", "MorseRobot::GetMaxSpeed()");
+}
 
 double MorseRobot::GetMaxTurnRate() const {
   return Property("max_turn_rate", "MorseRobot::GetMaxTurnRate()");

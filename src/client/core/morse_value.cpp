@@ -1,5 +1,3 @@
-#include "libCCMorse/MorseValue.h"
-
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 
 #include "base/json.h"
 #include "libCCMorse/MorseError.h"
+#include "libCCMorse/MorseValue.h"
 
 namespace CCMorse {
 

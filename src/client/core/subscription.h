@@ -10,8 +10,9 @@ namespace CCMorse {
 class MorseDevice;
 class MorseProxy;
 
-/// What Read() keeps up to date for a proxy. It is apart from the proxy, so that a Read() in another
-/// thread never touches a proxy that is being deleted. Every field is under the client's data mutex.
+/// What Read() keeps up to date for a proxy. It is apart from the proxy, so that a Read() in
+/// another thread never touches a proxy that is being deleted. Every field is under the client's
+/// data mutex.
 struct MorseSubscription {
   MorseProxy* proxy = nullptr;          ///< for MorseRobot::GetProxies() only
   const MorseDevice* device = nullptr;  ///< decides over valid and fresh

@@ -1,0 +1,44 @@
+#include "client/morse/read_pose.h"
+#include "libCCMorse/MorseOdometry.h"
+
+namespace CCMorse {
+
+namespace {
+
+constexpr const char* kSpeedKeys[6] = {"vx", "vy", "vz", "wx", "wy", "wz"};
+
+const bool kRegistered =
+    RegisterMorseDevice({{"odometry"}, {"IntegratedOdometry"}, [](const MorseDeviceInfo& info) {
+                           return std::make_unique<MorseOdometry>(info);
+                         }});
+
+}  // namespace
+
+MorseOdometry::MorseOdometry(const MorseDeviceInfo& info) : MorseSensor(info) {}
+
+bool MorseOdometry::OnData(const MorseValue& data) {
+  const auto pose = ReadPose(data, kPoseKeys);
+  const auto speed = ReadPose(data, kSpeedKeys);
+  if (!pose || !speed) return false;
+  pose_ = *pose;
+  speed_ = *speed;
+  stall_ = data.GetBool("stall");
+  return true;
+}
+
+player_pose3d_t MorseOdometry::GetPose() const {
+  const std::lock_guard lock(DataMutex());
+  return pose_;
+}
+
+player_pose3d_t MorseOdometry::GetSpeed() const {
+  const std::lock_guard lock(DataMutex());
+  return speed_;
+}
+
+bool MorseOdometry::GetStall() const {
+  const std::lock_guard lock(DataMutex());
+  return stall_;
+}
+
+}  // namespace CCMorse

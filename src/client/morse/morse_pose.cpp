@@ -1,0 +1,27 @@
+#include "client/morse/read_pose.h"
+#include "libCCMorse/MorsePose.h"
+
+namespace CCMorse {
+
+namespace {
+const bool kRegistered = RegisterMorseDevice({{"pose"}, {"Pose"}, [](const MorseDeviceInfo& info) {
+                                                return std::make_unique<MorsePose>(info);
+                                              }});
+}  // namespace
+
+MorsePose::MorsePose(const MorseDeviceInfo& info) : MorseSensor(info) {}
+
+bool MorsePose::OnData(const MorseValue& data) {
+  const auto pose = ReadPose(data, kPoseKeys);
+  if (pose) pose_ = *pose;
+  return pose.has_value();
+}
+
+bool MorsePose::HasPose() const { return IsValid(); }
+
+player_pose3d_t MorsePose::GetPose() const {
+  const std::lock_guard lock(DataMutex());
+  return pose_;
+}
+
+}  // namespace CCMorse

@@ -1,0 +1,163 @@
+#include <mutex>
+
+#include "client/player/proxy_lookup.h"
+#include "libCCMorse/MorseClient.h"
+#include "libCCMorse/MorseError.h"
+#include "libCCMorse/PlayerClient.h"
+#include "libCCMorse/WindowProxy.h"
+
+namespace CCMorse {
+
+namespace {
+
+struct Single {
+  std::mutex mutex;
+  WindowProxy* window = nullptr;  // owned by the program, which deletes it
+};
+
+Single& TheSingle() {
+  static Single single;
+  return single;
+}
+
+MorsePen& FirstPen(MorseClient& client) {
+  for (const MorseRobot* robot : client.GetRobots()) {
+    if (MorsePen* pen = robot->FindDevice<MorsePen>()) return *pen;
+  }
+  throw MorseError("the simulation has no pen to draw with", "WindowProxy::GetInstance()");
+}
+
+}  // namespace
+
+WindowProxy::WindowProxy(PlayerClient* client, MorsePen& pen)
+    : MorseProxy(client, 0, "window", pen), pen_(&pen) {}
+
+WindowProxy& WindowProxy::GetInstance(PlayerClient* client, int width, int height) {
+  RequireClient(client, "WindowProxy::GetInstance()");
+  MorsePen& pen = FirstPen(client->GetMorseClient());
+  pen.ResizeCanvas(width, height);
+  Single& single = TheSingle();
+  const std::lock_guard lock(single.mutex);
+  if (single.window && single.window->pen_ == &pen) return *single.window;
+  if (single.window) {
+    throw MorseError("there is a window of another client; delete it first",
+                     "WindowProxy::GetInstance()");
+  }
+  single.window = new WindowProxy(client, pen);
+  return *single.window;
+}
+
+WindowProxy& WindowProxy::GetInstance() {
+  Single& single = TheSingle();
+  const std::lock_guard lock(single.mutex);
+  if (!single.window) {
+    throw MorseError("there is no window yet: call GetInstance(client, width, height) first",
+                     "WindowProxy::GetInstance()");
+  }
+  return *single.window;
+}
+
+WindowProxy::~WindowProxy() {
+  Single& single = TheSingle();
+  const std::lock_guard lock(single.mutex);
+  if (single.window == this) single.window = nullptr;
+}
+
+void WindowProxy::SetPixel(int x, int y, int r, int g, int b) { pen_->SetPixel(x, y, r, g, b); }
+
+void WindowProxy::SetPixel(int x, int y, int r, int g, int b, int alpha) {
+  pen_->SetPixel(x, y, r, g, b, alpha);
+}
+
+void WindowProxy::SetPixel(int x, int y, int r, int g, int b, double alpha) {
+  pen_->SetPixel(x, y, r, g, b, alpha);
+}
+
+void WindowProxy::SetPixel(int x, int y, unsigned char r, unsigned char g, unsigned char b) {
+  pen_->SetPixel(x, y, r, g, b);
+}
+
+void WindowProxy::SetPixel(int x, int y, unsigned char r, unsigned char g, unsigned char b,
+                           unsigned char alpha) {
+  pen_->SetPixel(x, y, r, g, b, alpha);
+}
+
+void WindowProxy::SetPixel(int x, int y, double r, double g, double b) {
+  pen_->SetPixel(x, y, r, g, b);
+}
+
+void WindowProxy::SetPixel(int x, int y, double r, double g, double b, double alpha) {
+  pen_->SetPixel(x, y, r, g, b, alpha);
+}
+
+void WindowProxy::SetPixel(int x, int y, const std::string& color) { pen_->SetPixel(x, y, color); }
+
+void WindowProxy::SetPixel(int x, int y, const std::string& color, int alpha) {
+  pen_->SetPixel(x, y, color, alpha);
+}
+
+void WindowProxy::SetPixel(int x, int y, const std::string& color, double alpha) {
+  pen_->SetPixel(x, y, color, alpha);
+}
+
+void WindowProxy::SetLine(int x0, int y0, int x1, int y1, int r, int g, int b) {
+  pen_->SetLine(x0, y0, x1, y1, r, g, b);
+}
+
+void WindowProxy::SetLine(int x0, int y0, int x1, int y1, int r, int g, int b, int alpha) {
+  pen_->SetLine(x0, y0, x1, y1, r, g, b, alpha);
+}
+
+void WindowProxy::SetLine(int x0, int y0, int x1, int y1, int r, int g, int b, double alpha) {
+  pen_->SetLine(x0, y0, x1, y1, r, g, b, alpha);
+}
+
+void WindowProxy::SetLine(int x0, int y0, int x1, int y1, unsigned char r, unsigned char g,
+                          unsigned char b) {
+  pen_->SetLine(x0, y0, x1, y1, r, g, b);
+}
+
+void WindowProxy::SetLine(int x0, int y0, int x1, int y1, unsigned char r, unsigned char g,
+                          unsigned char b, unsigned char alpha) {
+  pen_->SetLine(x0, y0, x1, y1, r, g, b, alpha);
+}
+
+void WindowProxy::SetLine(int x0, int y0, int x1, int y1, double r, double g, double b) {
+  pen_->SetLine(x0, y0, x1, y1, r, g, b);
+}
+
+void WindowProxy::SetLine(int x0, int y0, int x1, int y1, double r, double g, double b,
+                          double alpha) {
+  pen_->SetLine(x0, y0, x1, y1, r, g, b, alpha);
+}
+
+void WindowProxy::SetLine(int x0, int y0, int x1, int y1, const std::string& color) {
+  pen_->SetLine(x0, y0, x1, y1, color);
+}
+
+void WindowProxy::SetLine(int x0, int y0, int x1, int y1, const std::string& color, int alpha) {
+  pen_->SetLine(x0, y0, x1, y1, color, alpha);
+}
+
+void WindowProxy::SetLine(int x0, int y0, int x1, int y1, const std::string& color, double alpha) {
+  pen_->SetLine(x0, y0, x1, y1, color, alpha);
+}
+
+Color_t WindowProxy::GetPixel(int x, int y) { return pen_->GetPixel(x, y); }
+std::vector<Color_t> WindowProxy::GetImageData() { return pen_->GetImageData(); }
+void WindowProxy::SetImageData(const std::vector<Color_t>& image) { pen_->SetImageData(image); }
+
+void WindowProxy::UpdateImageData(const std::vector<PixelUpdate_t>& pixels) {
+  pen_->UpdateImageData(pixels);
+}
+
+void WindowProxy::SaveImageCopy(const std::string& name) { pen_->SaveImageCopy(name); }
+void WindowProxy::ResizeCanvas(int width, int height) { pen_->ResizeCanvas(width, height); }
+int WindowProxy::GetWidth() const { return pen_->GetWidth(); }
+int WindowProxy::GetHeight() const { return pen_->GetHeight(); }
+double WindowProxy::GetCellSize() const { return pen_->GetCellSize(); }
+void WindowProxy::RefreshSize() { pen_->RefreshSize(); }
+int WindowProxy::GetX(double x) const { return pen_->GetX(x); }
+int WindowProxy::GetY(double y) const { return pen_->GetY(y); }
+
+}  // namespace CCMorse
