@@ -93,7 +93,7 @@ TEST(W05, StaticObstaclesAreLightGrey) {
 
 TEST(W06, DynamicObstaclesAreRedAndAllRetracted) {
   int dynamic = 0;
-  for (const Scenario& scenario : {ParseScenario("{}", "test.json"), Named("retracted")}) {
+  for (const Scenario& scenario : {ParseScenario("{}", "test.json"), Named("syrotek")}) {
     for (const Box& box : scenario.world.boxes) {
       EXPECT_EQ(box.dynamic, box.kind.starts_with("dynamic_")) << box.id;
       if (!box.dynamic) continue;
@@ -231,7 +231,7 @@ TEST(W11, ThirteenRobotsParkInThirteenDocks) {
 
 TEST(W11, MapOfTheCourseHas17ObstaclesUp) {
   std::vector<int> up;
-  for (const Box& box : Named("syrotek").world.boxes) {
+  for (const Box& box : Named("course_map").world.boxes) {
     if (box.dynamic && box.raised) up.push_back(box.id);
   }
   EXPECT_EQ(up,
@@ -310,7 +310,7 @@ class CourseMap {
 };
 
 TEST(W08, CourseMapKeepsItsWaysUntilItIsDilatedBySixCells) {
-  const World world = Named("syrotek").world;
+  const World world = Named("course_map").world;
   const std::size_t goal = CourseMap::Cell(160, 175);
   for (const int radius : {0, 1, 2, 3, 4, 5}) {
     CourseMap map(world);

@@ -73,7 +73,7 @@ TEST(FindScenario, ByNameByFolderAndByPath) {
 TEST(FindScenario, ListsEachOnceAndFindsAllOfThem) {
   const std::vector<std::string> names = ListScenarios();
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
-  for (const char* name : {"docks", "retracted", "syrotek", "two_robots"}) {
+  for (const char* name : {"course_map", "docks", "syrotek", "two_robots"}) {
     EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
   }
   for (const std::string& name : names) EXPECT_NO_THROW(LoadScenario(FindScenario(name))) << name;
@@ -93,13 +93,13 @@ TEST(FindScenario, OwnFolderComesFirst) {
   own.Write("syrotek/docks.json", R"({"robots": []})");
   own.Write("lab/lab.json", "{}");
   own.Write("lab/two.json", "{}");
-  own.Write("lab/retracted.json", "{}");
+  own.Write("lab/course_map.json", "{}");
   EXPECT_EQ(FindScenario("docks"), own.Path("syrotek/docks.json"));
   EXPECT_EQ(FindScenario("lab"), own.Path("lab/lab.json"));
   EXPECT_EQ(FindScenario("two"), own.Path("lab/two.json"));
   // A name that two folders have must be written in full.
-  EXPECT_EQ(FindScenario("lab/retracted"), own.Path("lab/retracted.json"));
-  EXPECT_NE(ErrorOf("retracted").find("lab/retracted"), std::string::npos);
+  EXPECT_EQ(FindScenario("lab/course_map"), own.Path("lab/course_map.json"));
+  EXPECT_NE(ErrorOf("course_map").find("lab/course_map"), std::string::npos);
 }
 
 TEST(G07, AWorldOfYourOwnNeedsNoSyrotek) {

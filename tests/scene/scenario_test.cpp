@@ -131,8 +131,8 @@ TEST(C08, TimeStrategies) {
 }
 
 TEST(C09, ScenariosDifferOnlyInTheirJson) {
-  const Scenario a = LoadScenario(FindScenario("retracted"));
-  const Scenario b = LoadScenario(FindScenario("syrotek"));
+  const Scenario a = LoadScenario(FindScenario("syrotek"));
+  const Scenario b = LoadScenario(FindScenario("course_map"));
   EXPECT_EQ(a.world.boxes.size(), b.world.boxes.size());
   EXPECT_FALSE(a.world.boxes[68].raised);
   EXPECT_TRUE(b.world.boxes[68].raised);

@@ -39,7 +39,7 @@ bool IsNear(Color a, Color b, int tolerance) {
 }
 
 TEST(W01, PictureHasTheArenasProportions) {
-  const Scenario scenario = LoadScenario(FindScenario("syrotek"));
+  const Scenario scenario = LoadScenario(FindScenario("course_map"));
   const Image image = RenderTopView(ViewOf(scenario));
   EXPECT_EQ(image.width, static_cast<int>(std::ceil((3.42 + 0.1) * 220.0)));
   EXPECT_EQ(image.height, static_cast<int>(std::ceil((3.72 + 0.1) * 220.0)));
@@ -48,7 +48,7 @@ TEST(W01, PictureHasTheArenasProportions) {
 }
 
 TEST(W03, FloorIsPaintedWhite) {
-  const Scenario scenario = LoadScenario(FindScenario("syrotek"));
+  const Scenario scenario = LoadScenario(FindScenario("course_map"));
   const TopView view = ViewOf(scenario);
   const Image image = RenderTopView(view);
   for (const Vec2 point : {Vec2{2.1, 2.8}, Vec2{0.9, 2.3}, Vec2{3.2, 1.9}, Vec2{0.2, 0.2}}) {
@@ -57,7 +57,7 @@ TEST(W03, FloorIsPaintedWhite) {
 }
 
 TEST(W05, WallsAreGreyAndBordersBrown) {
-  const Scenario scenario = LoadScenario(FindScenario("syrotek"));
+  const Scenario scenario = LoadScenario(FindScenario("course_map"));
   const TopView view = ViewOf(scenario);
   const Image image = RenderTopView(view);
   EXPECT_EQ(At(view, image, {1.71, 3.18}), scenario.world.boxes[59].color);
@@ -66,12 +66,12 @@ TEST(W05, WallsAreGreyAndBordersBrown) {
 }
 
 TEST(W06, RaisedObstaclesAreRedAndRetractedOnesFaint) {
-  const Scenario up = LoadScenario(FindScenario("syrotek"));
+  const Scenario up = LoadScenario(FindScenario("course_map"));
   const TopView view = ViewOf(up);
   const Image image = RenderTopView(view);
   EXPECT_EQ(At(view, image, {1.78, 1.62}), up.world.boxes[18].color);  // 19, a slab
   EXPECT_EQ(At(view, image, {2.52, 2.35}), up.world.boxes[73].color);  // 74, a turned pillar
-  const Scenario down = LoadScenario(FindScenario("retracted"));
+  const Scenario down = LoadScenario(FindScenario("syrotek"));
   const TopView flat = ViewOf(down);
   const Color faint = At(flat, RenderTopView(flat), {2.52, 2.35});
   EXPECT_GT(faint.r, 235);
@@ -80,7 +80,7 @@ TEST(W06, RaisedObstaclesAreRedAndRetractedOnesFaint) {
 }
 
 TEST(W07, ShadowsFallToOneSide) {
-  const Scenario scenario = LoadScenario(FindScenario("syrotek"));
+  const Scenario scenario = LoadScenario(FindScenario("course_map"));
   const TopView view = ViewOf(scenario);
   const Image image = RenderTopView(view);
   // Pillar 73 at (2.40, 2.94), 0.16 m wide: the sun stands to the upper left.
@@ -101,7 +101,7 @@ TEST(C04, RobotIsPaintedInItsColor) {
 }
 
 TEST(C03, RobotIsPaintedWhereItStandsAndFacesForward) {
-  const Scenario scenario = LoadScenario(FindScenario("retracted"));
+  const Scenario scenario = LoadScenario(FindScenario("syrotek"));
   TopView view = ViewOf(scenario);
   view.robots[0].pose = {2.0, 2.5, 0.0};
   const Image image = RenderTopView(view);
@@ -113,7 +113,7 @@ TEST(C03, RobotIsPaintedWhereItStandsAndFacesForward) {
 }
 
 TEST(T06, TrackOnTheCanvasIsGreenAndLiesBeneathTheBoxes) {
-  const Scenario scenario = LoadScenario(FindScenario("syrotek"));
+  const Scenario scenario = LoadScenario(FindScenario("course_map"));
   TopView view = ViewOf(scenario);
   view.canvas.width = 172;
   view.canvas.height = 186;
@@ -129,7 +129,7 @@ TEST(T06, TrackOnTheCanvasIsGreenAndLiesBeneathTheBoxes) {
 }
 
 TEST(P29, ScanIsAGreenFan) {
-  const Scenario scenario = LoadScenario(FindScenario("retracted"));
+  const Scenario scenario = LoadScenario(FindScenario("syrotek"));
   TopView view = ViewOf(scenario);
   view.robots[0].scan_origin = {1.2, 2.0};
   view.robots[0].scan = {{1.9, 1.8}, {2.0, 2.0}, {1.9, 2.2}};
@@ -149,7 +149,7 @@ TEST(TopViewPicture, IsTheSameEveryTime) {
 }
 
 TEST(TopViewPicture, ScalesWithoutMovingThings) {
-  const Scenario scenario = LoadScenario(FindScenario("syrotek"));
+  const Scenario scenario = LoadScenario(FindScenario("course_map"));
   for (const double scale : {40.0, 500.0}) {
     TopView view = ViewOf(scenario);
     view.pixels_per_metre = scale;
@@ -161,7 +161,7 @@ TEST(TopViewPicture, ScalesWithoutMovingThings) {
 }
 
 TEST(TopViewPicture, BadInputIsAnError) {
-  const Scenario scenario = LoadScenario(FindScenario("retracted"));
+  const Scenario scenario = LoadScenario(FindScenario("syrotek"));
   EXPECT_THROW(RenderTopView(TopView{}), Error);
   for (const double scale : {0.0, -1.0, std::nan(""), 1e9, 9.0}) {
     TopView view = ViewOf(scenario);

@@ -99,7 +99,7 @@ TEST(PlanarScan, AgreesWithBruteForceOnRandomScenes) {
 }
 
 TEST(PlanarScan, AgreesWithBruteForceInTheSyrotekArena) {
-  const scene::Scenario scenario = scene::LoadScenario(scene::FindScenario("syrotek"));
+  const scene::Scenario scenario = scene::LoadScenario(scene::FindScenario("course_map"));
   PlanarWorld boxes;
   for (const scene::Box& box : scenario.world.boxes) {
     if (box.raised) boxes.Add(BoxCorners(box.pose, box.size_x, box.size_y));

@@ -315,7 +315,7 @@ std::vector<std::string> FakeServer::Ids() const {
 
 std::size_t FakeServer::Count(const std::string& start) const {
   std::size_t count = 0;
-  for (const std::string& line : Lines()) count += line.rfind(start, 0) == 0 ? 1 : 0;
+  for (const std::string& line : Lines()) count += line.rfind(start, 0) == 0 ? 1U : 0U;
   return count;
 }
 

@@ -1,0 +1,47 @@
+# What ./demo and ./check share. Sourced by them from the root of the clone; POSIX sh.
+
+say() { printf '\n== %s\n' "$*"; }
+
+# Packages of the named sections of packaging/apt-packages.txt.
+packages_of() {
+  for section in "$@"; do
+    awk -v wanted="[$section]" '/^\[/ { on = ($0 == wanted) } on && /^[a-z0-9]/ { print $1 }' \
+      packaging/apt-packages.txt
+  done
+}
+
+# install_packages SECTION...: what is missing, with sudo only if we are not root.
+install_packages() {
+  missing=
+  for package in $(packages_of "$@"); do
+    state=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null) || state=
+    [ "$state" = "install ok installed" ] || missing="$missing $package"
+  done
+  [ -z "$missing" ] && return 0
+  say "Installing what is missing:$missing"
+  sudo=
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || {
+      echo "These packages need root; run as root: apt-get install$missing" >&2
+      return 1
+    }
+    sudo=sudo
+  fi
+  $sudo apt-get update -qq
+  # shellcheck disable=SC2086  # a list of words
+  $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
+}
+
+# build PRESET [cmake options]: configures once, then builds what has changed.
+build() {
+  preset=$1
+  shift
+  say "Building ($preset)"
+  cmake --preset "$preset" "$@" >"build-$preset.log" 2>&1 || {
+    cat "build-$preset.log" >&2
+    rm -f "build-$preset.log"
+    return 1
+  }
+  rm -f "build-$preset.log"
+  cmake --build --preset "$preset"
+}
