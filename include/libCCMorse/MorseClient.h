@@ -60,9 +60,10 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
   /// after the data were taken, when the simulator refused an earlier command.
   void Read();
   /// Whether Read() would find something without waiting; waits up to `timeout_ms` for it. In a
-  /// simulation in lock-step time stands still between two reads, so the first Peek(0) after a
-  /// Read() is false, and any further one true: `while (Peek(0)) Read();` ends. On plain MORSE it
-  /// is true when a tick, 1/60 s, has passed since the last Read(). Throws MorseError when the
+  /// simulation in lock-step time stands still between two reads, and at the pace "max" there is
+  /// always more to read: there, the first Peek(0) after a Read() is false and any further one
+  /// true, so that `while (Peek(0)) Read();` ends and a program that polls goes on. On plain MORSE
+  /// it is true when a tick, 1/60 s, has passed since the last Read(). Throws MorseError when the
   /// connection is lost.
   bool Peek(int timeout_ms = 0);
   /// Read() if Peek(0).

@@ -32,7 +32,7 @@ RobotModel S1r() {
   model.hull = {{base, bottom, bottom + kBaseHeight},
                 {upper, bottom + kBaseHeight, bottom + model.height}};
   model.footprint = base;
-  model.origin_height = bottom + kBaseHeight / 2.0;
+  model.origin_height = 0.035;  // bottom + half of the base box: its centre of gravity (R05)
   model.mass = 2.0;
   model.wheel_radius = 0.04;
   model.wheel_width = 0.01;

@@ -69,15 +69,15 @@ TEST_F(L302, TheIndexDecidesBetweenPoseAndOdometry) {
   EXPECT_EQ(odometry.GetDriverName(), "s1r.odometry");
 }
 
-TEST(L302Plain, WithoutATableTheIndexCountsRobots) {
+TEST_F(L302, WithoutATableTheIndexCountsRobots) {
   FakeServer::Options options = Plain();
   options.robots = {"s1r", "other"};
-  FakeServer server(options);
-  PlayerClient client(kHost, server.port());
-  EXPECT_EQ(Position2dProxy(&client, 0).GetDriverName(), "s1r.pose");
-  EXPECT_EQ(Position2dProxy(&client, 1).GetDriverName(), "other.pose");
-  EXPECT_EQ(LaserProxy(&client, 1).GetDriverName(), "other.hokuyo");
-  EXPECT_TRUE(Has(ErrorOf([&] { LaserProxy(&client, 2); }).GetErrorStr(), "laser:1 of other"));
+  FakeServer simulator(options);
+  PlayerClient program(kHost, simulator.port());
+  EXPECT_EQ(Position2dProxy(&program, 0).GetDriverName(), "s1r.pose");
+  EXPECT_EQ(Position2dProxy(&program, 1).GetDriverName(), "other.pose");
+  EXPECT_EQ(LaserProxy(&program, 1).GetDriverName(), "other.hokuyo");
+  EXPECT_TRUE(Has(ErrorOf([&] { LaserProxy(&program, 2); }).GetErrorStr(), "laser:1 of other"));
 }
 
 TEST_F(L303, LaserHasAllOfPlayersMethods) {
@@ -397,23 +397,23 @@ TEST_F(L311, AMissingIndexListsTheOnesThereAre) {
   EXPECT_TRUE(client.GetMorseClient().GetRobot("s1r").GetProxies().empty());
 }
 
-TEST(L311Table, AnIndexWithoutItsDeviceIsAnError) {
-  FakeServer server;
-  server.SetData("s1r.properties",
-                 R"("properties": {"proxies": {"laser": {"0": "sonar", "1": "pose", "2": 7}}})");
-  PlayerClient client(kHost, server.port());
-  for (const unsigned index : {0U, 1U, 2U}) EXPECT_THROW(LaserProxy(&client, index), MorseError);
+TEST_F(L311, AnIndexWithoutItsDeviceIsAnError) {
+  FakeServer simulator;
+  simulator.SetData("s1r.properties",
+                    R"("properties": {"proxies": {"laser": {"0": "sonar", "1": "pose", "2": 7}}})");
+  PlayerClient program(kHost, simulator.port());
+  for (const unsigned index : {0U, 1U, 2U}) EXPECT_THROW(LaserProxy(&program, index), MorseError);
 }
 
-TEST(L311Robots, TheFirstRobotThatHasTheIndexIsTaken) {
+TEST_F(L311, TheFirstRobotThatHasTheIndexIsTaken) {
   FakeServer::Options options;
   options.robots = {"s1r", "other"};
-  FakeServer server(options);
-  PlayerClient client(kHost, server.port());
-  EXPECT_EQ(LaserProxy(&client, 0).GetDriverName(), "s1r.hokuyo");
-  EXPECT_EQ(LaserProxy(&client, 11).GetDriverName(), "other.hokuyo");
-  EXPECT_EQ(Position2dProxy(&client, 11, "other").GetRobot().GetName(), "other");
-  EXPECT_THROW(LaserProxy(&client, 0, "other"), MorseError);
+  FakeServer simulator(options);
+  PlayerClient program(kHost, simulator.port());
+  EXPECT_EQ(LaserProxy(&program, 0).GetDriverName(), "s1r.hokuyo");
+  EXPECT_EQ(LaserProxy(&program, 11).GetDriverName(), "other.hokuyo");
+  EXPECT_EQ(Position2dProxy(&program, 11, "other").GetRobot().GetName(), "other");
+  EXPECT_THROW(LaserProxy(&program, 0, "other"), MorseError);
 }
 
 TEST_F(L312, DriversAreConfiguredByRobot) {
@@ -451,10 +451,10 @@ TEST_F(X14, WindowIsMadeInTheGivenSize) {
   delete &CCMorse::WindowProxy::GetInstance();
 }
 
-TEST(X14Plain, WithoutAPenThereIsNoWindow) {
-  FakeServer server(Plain());
-  PlayerClient client(kHost, server.port());
-  EXPECT_THROW(WindowProxy::GetInstance(&client, 10, 10), MorseError);
+TEST_F(X14, WithoutAPenThereIsNoWindow) {
+  FakeServer simulator(Plain());
+  PlayerClient program(kHost, simulator.port());
+  EXPECT_THROW(WindowProxy::GetInstance(&program, 10, 10), MorseError);
   EXPECT_THROW(WindowProxy::GetInstance(nullptr, 10, 10), MorseError);
   EXPECT_THROW(WindowProxy::GetInstance(), MorseError);
 }
@@ -477,19 +477,21 @@ TEST_F(X17, LaserTellsWhetherDataAreFresh) {
   EXPECT_TRUE(laser.IsFresh());
 }
 
-TEST(X18, PeekEndsTheLoopOfTheListingInLockStep) {
-  FakeServer server;
-  PlayerClient client(kHost, server.port());
-  for (int i = 0; i < 3; ++i) {
-    client.Read();
-    int more = 0;
-    while (client.Peek(0)) {
+TEST(X18, PeekEndsTheLoopOfTheListing) {
+  for (const char* pace : {"lockstep", "max"}) {
+    FakeServer server(WithPace(pace));
+    PlayerClient client(kHost, server.port());
+    for (int i = 0; i < 3; ++i) {
       client.Read();
-      ASSERT_LT(++more, 2);
+      int more = 0;
+      while (client.Peek(0)) {
+        client.Read();
+        ASSERT_LT(++more, 2);
+      }
+      EXPECT_EQ(more, 0);
     }
-    EXPECT_EQ(more, 0);
+    EXPECT_EQ(server.Count("ccmorse peek"), 0U);  // no round trip
   }
-  EXPECT_EQ(server.Count("ccmorse peek"), 0U);  // no round trip
 }
 
 TEST(Q21, APollingProgramIsNotStarvedInLockStep) {
@@ -507,7 +509,7 @@ TEST(Q21, APollingProgramIsNotStarvedInLockStep) {
   EXPECT_EQ(server.Count("ccmorse read"), 4U);
 }
 
-TEST(X18RealTime, PeekAsksCCMorse) {
+TEST(X18, PeekAsksCCMorseInRealTime) {
   FakeServer server(WithPace("realtime"));
   PlayerClient client(kHost, server.port());
   client.Read();
@@ -518,7 +520,7 @@ TEST(X18RealTime, PeekAsksCCMorse) {
   EXPECT_EQ(server.Count("ccmorse peek [0.25]"), 1U);
 }
 
-TEST(X18Plain, PeekOnPlainMorseWaitsForATick) {
+TEST(X18, PeekOnPlainMorseWaitsForATick) {
   FakeServer server(Plain());
   PlayerClient client(kHost, server.port());
   EXPECT_TRUE(client.Peek(0));

@@ -1,0 +1,131 @@
+// The `ccmorse` program as a user meets it.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/json.h"
+#include "tests/support/line_client.h"
+#include "tests/support/process.h"
+
+namespace ccmorse::testing {
+namespace {
+
+const std::string kCcmorse = BuiltProgram("ccmorse");
+
+Finished RunScenario(const std::string& scenario) {
+  return RunToEnd({kCcmorse, "run", scenario, "--pace", "max", "--for", "0.1", "--port", "0",
+                   "--stream-port", "0"});
+}
+
+// One line on stderr that says `what`, and a status that says failure.
+void ExpectOneLine(const Finished& run, const std::vector<std::string>& what) {
+  EXPECT_NE(run.status, 0);
+  EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1) << run.output;
+  for (const std::string& part : what) {
+    EXPECT_NE(run.output.find(part), std::string::npos) << run.output;
+  }
+}
+
+TEST(CommandLine, VersionAndHelpWithExamples) {
+  EXPECT_EQ(RunToEnd({kCcmorse, "--version"}).output, "ccmorse 0.1.0\n");
+  const Finished help = RunToEnd({kCcmorse, "--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_NE(help.output.find("Examples:\n  ccmorse run syrotek"), std::string::npos) << help.output;
+  EXPECT_NE(RunToEnd({kCcmorse, "run", "--help"}).output.find("--pace"), std::string::npos);
+}
+
+TEST(CommandLine, AnUnknownScenarioIsNamedWithTheNearest) {
+  ExpectOneLine(RunScenario("syrotk"), {"syrotk", "did you mean 'syrotek'?", "course_map"});
+}
+
+TEST(CommandLine, BadJsonIsNamedWithItsLine) {
+  const TemporaryFile file(".json", "{\n  \"robots\": [\n}");
+  ExpectOneLine(RunScenario(file.path()), {file.path() + ":3"});
+}
+
+TEST(CommandLine, AnUnknownKeyIsNamedWithItsLineAndTheNearest) {
+  const TemporaryFile file(".json", "{\n  \"robtos\": []\n}");
+  ExpectOneLine(RunScenario(file.path()), {file.path() + ":2", "robtos", "robots"});
+}
+
+TEST(CommandLine, APortInUseIsNamed) {
+  Simulator first({"syrotek"});
+  const std::string port = std::to_string(first.port());
+  ExpectOneLine(RunToEnd({kCcmorse, "run", "syrotek", "--port", port}), {port, "in use"});
+}
+
+TEST(S20, TwoRobotsOfOneNameAreRefused) {
+  const TemporaryFile file(".json",
+                           "{\"robots\": [\n{\"name\": \"a\", \"pose\": {\"x\": 1, \"y\": 2.4}},\n"
+                           "{\"name\": \"a\", \"pose\": {\"x\": 2, \"y\": 2.4}}]}");
+  ExpectOneLine(RunScenario(file.path()), {"'a'", ":3"});
+}
+
+TEST(C02, AnEmptyScenarioRuns) {
+  const TemporaryFile file(".json", "{}");
+  const Finished run = RunScenario(file.path());
+  EXPECT_EQ(run.status, 0) << run.output;
+  EXPECT_NE(run.output.find("state hash"), std::string::npos);
+}
+
+TEST(C01, EditingTheFileChangesTheSimulation) {
+  for (const double x : {1.0, 1.5}) {
+    const TemporaryFile file(
+        ".json", "{\"robots\": [{\"pose\": {\"x\": " + std::to_string(x) + ", \"y\": 2.4}}]}");
+    Simulator simulator({file.path()});
+    LineClient client(simulator.port());
+    const std::string reply = client.Ask("1 s1r.pose get_local_data");
+    EXPECT_NEAR(Json::Parse(reply.substr(reply.find('{'))).Find("x")->AsDouble(), x, 1e-9);
+  }
+}
+
+TEST(C08, TheScenarioChoosesTheTimeStrategyAndTheCommandLineOverrulesIt) {
+  const TemporaryFile file(".json", "{\"time\": {\"strategy\": \"lockstep\"}}");
+  Simulator asked({file.path()});
+  EXPECT_NE(LineClient(asked.port()).Ask("1 ccmorse hello []").find("\"pace\": \"lockstep\""),
+            std::string::npos);
+  Simulator overruled({file.path(), "--pace", "real"});
+  EXPECT_NE(LineClient(overruled.port()).Ask("1 ccmorse hello []").find("\"pace\": \"realtime\""),
+            std::string::npos);
+}
+
+TEST(CommandLine, CtrlCEndsARunWithItsReport) {
+  Simulator simulator({"syrotek"});
+  simulator.process().Signal(SIGINT);
+  EXPECT_EQ(simulator.process().Wait(), 0);
+  EXPECT_NE(simulator.process().output().find("state hash"), std::string::npos);
+  EXPECT_NE(simulator.process().output().find("EXITING SIMULATION"), std::string::npos);
+}
+
+TEST(CommandLine, TheReportIsJson) {
+  const TemporaryFolder folder;
+  const std::string report = folder.path() + "/new/report.json";
+  const Finished run =
+      RunToEnd({kCcmorse, "run", "docks", "--pace", "max", "--for", "2", "--port", "0",
+                "--stream-port", "0", "--report", report});
+  EXPECT_EQ(run.status, 0) << run.output;
+  const Json parsed = Json::Parse(ReadFile(report));
+  EXPECT_EQ(parsed.Find("ticks")->AsInt(), 120);
+  EXPECT_EQ(parsed.Find("robots")->AsObject().size(), 13U);
+}
+
+TEST(W11, ThirteenRobotsRunFromTheirDocks) {
+  EXPECT_EQ(RunScenario("docks").status, 0);
+}
+
+TEST(CommandLine, EveryListedScenarioRuns) {
+  const Finished list = RunToEnd({kCcmorse, "list"});
+  std::istringstream names(list.output);
+  int count = 0;
+  for (std::string name; std::getline(names, name); ++count) {
+    EXPECT_EQ(RunScenario(name).status, 0) << name;
+  }
+  EXPECT_GE(count, 4);
+}
+
+}  // namespace
+}  // namespace ccmorse::testing
