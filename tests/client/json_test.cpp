@@ -156,8 +156,9 @@ TEST(K02, DamagedTextsAreAcceptedAndRefusedAlike) {
 }
 
 TEST(K02, NestedListsEscapesNumbersAndErrors) {
-  const auto value = CCMorse::MorseValue::Parse(
-      R"({"a": [[1, [2]], {"b": "A\"\\\n\u20ac\ud83d\ude00"}], "n": [NaN, Infinity, -Infinity, -0.0]})");
+  const auto value =
+      CCMorse::MorseValue::Parse(R"({"a": [[1, [2]], {"b": "A\"\\\n\u20ac\ud83d\ude00"}], )"
+                                 R"("n": [NaN, Infinity, -Infinity, -0.0]})");
   EXPECT_EQ(value.GetInt("a.0.1.0"), 2);
   EXPECT_EQ(value.GetString("a.1.b"), "A\"\\\n€😀");
   EXPECT_TRUE(std::isnan(value.GetDouble("n.0")));

@@ -33,6 +33,8 @@ try:
 except pymorse.MorseServiceFailed:
     pass
 future = m.s1r.waypoint.goto(5.0, 5.0, 0.0)
+while m.rpc('s1r.waypoint', 'get_status') != 'Transit':
+    pass  # a cancel that overtakes the request would find nothing to cancel
 future.cancel()
 try:
     future.result()

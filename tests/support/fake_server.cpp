@@ -61,14 +61,15 @@ struct FakeServer::Impl {
       data[robot + ".hokuyo"] = Scan();
       const std::string index = std::to_string(i);
       const std::string proxies =
-          i == 0
-              ? R"("position2d": {"0": "pose", "2": "pose", "3": "odometry"}, "laser": {"0": "hokuyo"})"
-              : "\"position2d\": {\"1" + index + "\": \"pose\"}, \"laser\": {\"1" + index +
-                    "\": \"hokuyo\"}";
+          i == 0 ? R"("position2d": {"0": "pose", "2": "pose", "3": "odometry"}, )"
+                   R"("laser": {"0": "hokuyo"})"
+                 : "\"position2d\": {\"1" + index + "\": \"pose\"}, \"laser\": {\"1" + index +
+                       "\": \"hokuyo\"}";
       data[robot + ".properties"] =
           "\"properties\": {\"name\": \"" + robot +
           R"(", "type": "S1R", "size": [0.174, 0.163, 0.18], "mass": 2.0, "wheel_radius": 0.032, )"
-          R"("wheel_track": 0.125, "max_speed": 0.35, "max_turn_rate": 2.5, "color": [52, 170, 255], )"
+          R"("wheel_track": 0.125, "max_speed": 0.35, "max_turn_rate": 2.5, )"
+          R"("color": [52, 170, 255], )"
           R"("pose": {"x": 1.0, "y": 2.0, "yaw": 0.5}, "drivers": {"snd": {"max_speed": 0.2}}, )"
           R"("canvas": {"mode": "ground"}, "proxies": {)" +
           proxies + "}}";
@@ -197,7 +198,8 @@ struct FakeServer::Impl {
     }
     if (service == "get_configurations") {
       return R"(SUCCESS {"configurations": {"laser_range": 5.0, "resolution": 0.39589, )"
-             R"("scan_window": 270, "frequency": 10.0, "object_to_robot": {"rotation": [[1, 0, 0], )"
+             R"("scan_window": 270, "frequency": 10.0, "object_to_robot": {)"
+             R"("rotation": [[1, 0, 0], )"
              R"([0, 1, 0], [0, 0, 1]], "translation": [0.035, 0.0, 0.1]}}})";
     }
     if (service == "get_size")
