@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
   program.examples = {"", "--seconds 60", "--coords --x 1.0 --y 2.0 --yaw 0"};
 #else
   program.about = "Drives a real robot around and avoids obstacles by its laser.";
-  program.examples = {"--host robot1 --port 6665", "--host robot1 --position2d-index 2"};
+  program.examples = {"--host localhost --port 4000", "--position2d-index 2"};
 #endif  // _MORSE
 
   try {
