@@ -171,7 +171,8 @@ class JsonParser {
     if (i < text_.size() && text_[i] == '-') ++i;
     const std::size_t integer_at = i;
     if (digits() == 0) Fail("Expecting value", start);
-    if (text_[integer_at] == '0') i = integer_at + 1;  // JSON has no leading zeros: "01" is 0, then 1
+    if (text_[integer_at] == '0')
+      i = integer_at + 1;  // JSON has no leading zeros: "01" is 0, then 1
     bool is_int = true;
     if (i + 1 < text_.size() && text_[i] == '.' && text_[i + 1] >= '0' && text_[i + 1] <= '9') {
       is_int = false;

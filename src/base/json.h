@@ -10,8 +10,8 @@
 
 namespace ccmorse {
 
-/// What JsonError::what() says is worded as Python's json module words it, for MORSE's error replies
-/// (specs: morse.md A.5): "Expecting value: line 1 column 5 (char 4)".
+/// What JsonError::what() says is worded as Python's json module words it, for MORSE's error
+/// replies (specs: morse.md A.5): "Expecting value: line 1 column 5 (char 4)".
 class JsonError : public std::runtime_error {
  public:
   JsonError(const std::string& reason, int line, int column, std::size_t offset);
@@ -35,16 +35,17 @@ class Json {
   using Object = std::vector<Member>;
 
   Json() = default;
-  Json(std::nullptr_t) {}                                     // NOLINT(google-explicit-constructor)
-  Json(bool value) : value_(value) {}                         // NOLINT(google-explicit-constructor)
-  Json(int value) : value_(std::int64_t{value}) {}            // NOLINT(google-explicit-constructor)
-  Json(std::int64_t value) : value_(value) {}                 // NOLINT(google-explicit-constructor)
-  Json(double value) : value_(value) {}                       // NOLINT(google-explicit-constructor)
-  Json(const char* value) : value_(std::string(value)) {}     // NOLINT(google-explicit-constructor)
-  Json(std::string value) : value_(std::move(value)) {}       // NOLINT(google-explicit-constructor)
-  Json(std::string_view value) : value_(std::string(value)) {}  // NOLINT(google-explicit-constructor)
-  Json(Array value) : value_(std::move(value)) {}             // NOLINT(google-explicit-constructor)
-  Json(Object value) : value_(std::move(value)) {}            // NOLINT(google-explicit-constructor)
+  Json(std::nullptr_t) {}                                  // NOLINT(google-explicit-constructor)
+  Json(bool value) : value_(value) {}                      // NOLINT(google-explicit-constructor)
+  Json(int value) : value_(std::int64_t{value}) {}         // NOLINT(google-explicit-constructor)
+  Json(std::int64_t value) : value_(value) {}              // NOLINT(google-explicit-constructor)
+  Json(double value) : value_(value) {}                    // NOLINT(google-explicit-constructor)
+  Json(const char* value) : value_(std::string(value)) {}  // NOLINT(google-explicit-constructor)
+  Json(std::string value) : value_(std::move(value)) {}    // NOLINT(google-explicit-constructor)
+  Json(std::string_view value)
+      : value_(std::string(value)) {}               // NOLINT(google-explicit-constructor)
+  Json(Array value) : value_(std::move(value)) {}   // NOLINT(google-explicit-constructor)
+  Json(Object value) : value_(std::move(value)) {}  // NOLINT(google-explicit-constructor)
 
   /// Parses one value and nothing after it. Throws JsonError; also on nesting deeper than 64.
   static Json Parse(std::string_view text);
@@ -77,10 +78,12 @@ class Json {
   /// Sets or appends a member of an object.
   void Set(std::string_view key, Json value);
 
-  /// What Python calls falsy: null, false, 0, 0.0, "", [] and {} (morse.md A.5: not sent in replies).
+  /// What Python calls falsy: null, false, 0, 0.0, "", [] and {} (morse.md A.5: not sent in
+  /// replies).
   bool IsFalsy() const;
 
-  /// One line, as Python's json.dumps writes it: ", " and ": ", \uXXXX beyond ASCII, floats as repr.
+  /// One line, as Python's json.dumps writes it: ", " and ": ", \uXXXX beyond ASCII, floats as
+  /// repr.
   std::string Dump() const;
 
   /// Line on which the value stood, from 1; 0 for a value that was not read from text.

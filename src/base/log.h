@@ -12,7 +12,8 @@ enum class LogLevel { kDebug, kInfo, kWarning, kError };
 /// Lines below this level are dropped; kInfo at start. Thread safe.
 void SetLogLevel(LogLevel level);
 
-/// Writes one line "[warning] text" to stderr, flushed. Thread safe. Log through the functions below.
+/// Writes one line "[warning] text" to stderr, flushed. Thread safe. Log through the functions
+/// below.
 void LogLine(LogLevel level, std::string_view text);
 
 template <typename... Args>

@@ -63,7 +63,8 @@ SinCosPair SinCos(double angle) {
 
 double NormalizeAngle(double angle) {
   if (angle > -kPi && angle <= kPi) return angle;
-  const double wrapped = std::remainder(angle, 2.0 * kPi);  // exact by IEEE 754: no library variants
+  const double wrapped =
+      std::remainder(angle, 2.0 * kPi);  // exact by IEEE 754: no library variants
   return wrapped <= -kPi ? kPi : wrapped;
 }
 

@@ -10,7 +10,7 @@
 namespace ccmorse::servers {
 namespace {
 
-constexpr auto kFarewell = std::chrono::seconds(2);      // for clients, once the run is over
+constexpr auto kFarewell = std::chrono::seconds(2);          // for clients, once the run is over
 constexpr auto kGiveUpCatchingUp = std::chrono::seconds(1);  // real time: how far behind is too far
 constexpr int kHandlersPerTick = 64;  // at full speed, so that no flood of requests stops time
 

@@ -23,8 +23,8 @@ const char* PaceName(Pace pace);
 
 struct RunOptions {
   Pace pace = Pace::kRealTime;
-  double factor = 1.0;    ///< simulated seconds per wall second in real time, > 0
-  double seconds = 0.0;   ///< simulated time to run, s; 0: until stopped
+  double factor = 1.0;   ///< simulated seconds per wall second in real time, > 0
+  double seconds = 0.0;  ///< simulated time to run, s; 0: until stopped
   MorseServerOptions morse;
 };
 
@@ -34,8 +34,8 @@ struct RunSummary {
   double wall = 0.0;       ///< s, from the first step on: waiting for a first client does not count
 };
 
-/// Advances a simulation at a pace and serves it meanwhile: the one loop of the simulator. Everything
-/// happens on the thread that calls Run().
+/// Advances a simulation at a pace and serves it meanwhile: the one loop of the simulator.
+/// Everything happens on the thread that calls Run().
 class Runner {
  public:
   /// Starts to listen. Throws Error (port taken).
@@ -68,13 +68,13 @@ class Runner {
   RunOptions options_;
   MorseServer morse_;
   std::atomic<bool> stop_ = false;
-  WallClock::time_point start_;       // of the first step
-  WallClock::time_point pace_base_;   // real time: when pace_tick_ was or will be due
+  WallClock::time_point start_;      // of the first step
+  WallClock::time_point pace_base_;  // real time: when pace_tick_ was or will be due
   std::uint64_t pace_tick_ = 0;
   WallClock::time_point last_tick_;
-  double ticks_measured_ = 0.0;       // running mean and variance of the wall time of a tick
-  double mean_ = 0.0;                 // s
-  double squares_ = 0.0;              // s^2
+  double ticks_measured_ = 0.0;  // running mean and variance of the wall time of a tick
+  double mean_ = 0.0;            // s
+  double squares_ = 0.0;         // s^2
   std::function<void()> on_first_tick_;
 };
 

@@ -65,7 +65,8 @@ void Canvas::DrawLine(int x0, int y0, int x1, int y1, Color color, double alpha)
   const int sign_x = x1 >= x0 ? 1 : -1;
   const int sign_y = y1 >= y0 ? 1 : -1;
   // Bresenham's line in closed form: after k steps along the longer axis the shorter one has made
-  // floor((2 k short + long) / (2 long)). So a far-away end costs nothing: steps outside are skipped.
+  // floor((2 k short + long) / (2 long)). So a far-away end costs nothing: steps outside are
+  // skipped.
   const bool steep = dy > dx;
   const std::int64_t steps = std::max(dx, dy);
   const std::int64_t minor = std::min(dx, dy);

@@ -8,9 +8,10 @@
 
 namespace ccmorse::sim {
 
-/// The grid map that robots draw on and people look at: one in a simulation, passive (thesis 4.2.1).
-/// Cells are square; cell (0, 0) lies at the world's bottom-left corner, x to the right, y up. A cell
-/// nobody has drawn on is clear: it shows the floor and reads as white. Not thread safe.
+/// The grid map that robots draw on and people look at: one in a simulation, passive
+/// (thesis 4.2.1). Cells are square; cell (0, 0) lies at the world's bottom-left corner, x to the
+/// right, y up. A cell nobody has drawn on is clear: it shows the floor and reads as white. Not
+/// thread safe.
 class Canvas {
  public:
   Canvas(const scene::CanvasDef& def, double world_x, double world_y);
@@ -23,7 +24,8 @@ class Canvas {
   /// A new resolution, 1..4096 each way; the canvas is clear then.
   void Resize(int width, int height);
 
-  /// Draws a cell; alpha from 0 (nothing) to 1 (covers what was there). Outside the canvas: nothing.
+  /// Draws a cell; alpha from 0 (nothing) to 1 (covers what was there). Outside the canvas:
+  /// nothing.
   void SetPixel(int x, int y, Color color, double alpha = 1.0);
   /// White where nothing was drawn. Precondition: inside the canvas.
   Color GetPixel(int x, int y) const;
@@ -40,8 +42,8 @@ class Canvas {
   /// Folder that SaveCopy writes to; "." at start.
   void set_picture_folder(const std::string& folder) { picture_folder_ = folder; }
 
-  /// Writes the canvas as a PNG under a plain file name into the picture folder, and returns the path.
-  /// Clients may ask for it, so a name that leads elsewhere is refused. Throws Error.
+  /// Writes the canvas as a PNG under a plain file name into the picture folder, and returns the
+  /// path. Clients may ask for it, so a name that leads elsewhere is refused. Throws Error.
   std::string SaveCopy(const std::string& name) const;
 
   /// As a picture, y up: row 0 of the image is the canvas's top row.
@@ -59,8 +61,8 @@ class Canvas {
   double world_y_;
   int width_ = 0;
   int height_ = 0;
-  std::vector<Color> cells_;   // (height x width), row 0 at the bottom
-  std::vector<bool> drawn_;    // (height x width)
+  std::vector<Color> cells_;  // (height x width), row 0 at the bottom
+  std::vector<bool> drawn_;   // (height x width)
 };
 
 }  // namespace ccmorse::sim

@@ -17,8 +17,8 @@ bool Component::TakeDue(const Instant& now, double base_frequency) {
   const double due = static_cast<double>(activations_) * base_frequency / frequency_;
   if (static_cast<double>(now.tick) + 1e-9 < due) return false;
   // Faster than the tick, or switched off for a while: the ones missed are not made up for.
-  activations_ = static_cast<std::uint64_t>(
-                     std::floor(static_cast<double>(now.tick) * frequency_ / base_frequency + 1e-9)) +
+  activations_ = static_cast<std::uint64_t>(std::floor(
+                     static_cast<double>(now.tick) * frequency_ / base_frequency + 1e-9)) +
                  1;
   return true;
 }

@@ -16,7 +16,7 @@ enum class Outcome { kSuccess, kFailed, kPreempted };
 
 struct ServiceResult {
   Outcome outcome = Outcome::kSuccess;
-  Json value;  ///< the result; for kFailed the text
+  Json value;                  ///< the result; for kFailed the text
   std::string_view text = {};  ///< the result as JSON, instead of `value`; valid during the call
 };
 
@@ -47,9 +47,9 @@ struct ServiceParameter {
 struct Service {
   std::string name;
   std::vector<ServiceParameter> parameters;
-  std::function<Json(Arguments)> run;                        ///< answers at once
-  std::function<void(Arguments, Completion)> start = {};     ///< answers later
-  std::function<const std::string&()> text = {};             ///< answers at once, ready-made JSON
+  std::function<Json(Arguments)> run;                     ///< answers at once
+  std::function<void(Arguments, Completion)> start = {};  ///< answers later
+  std::function<const std::string&()> text = {};          ///< answers at once, ready-made JSON
 };
 
 // Typed access to arguments. Each throws WrongArgument that names the parameter.

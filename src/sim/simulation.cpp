@@ -11,8 +11,7 @@ Simulation::Simulation(scene::Scenario scenario)
       canvas_(scenario_.canvas, scenario_.world.size_x, scenario_.world.size_y) {
   // Robots are worked on in the order of their names, so that the order in the file has no effect.
   std::vector<scene::RobotDef> defs = scenario_.robots;
-  std::sort(defs.begin(), defs.end(),
-            [](const auto& a, const auto& b) { return a.name < b.name; });
+  std::sort(defs.begin(), defs.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   std::vector<const Robot*> seen;
   for (const scene::RobotDef& def : defs) {
     robots_.push_back(std::make_unique<Robot>(def, static_cast<int>(robots_.size())));
@@ -78,9 +77,10 @@ Robot* Simulation::FindRobot(std::string_view name) const {
 }
 
 Component* Simulation::FindComponent(std::string_view full_name) const {
-  const auto found = std::lower_bound(
-      components_.begin(), components_.end(), full_name,
-      [](const Component* component, std::string_view name) { return component->full_name() < name; });
+  const auto found = std::lower_bound(components_.begin(), components_.end(), full_name,
+                                      [](const Component* component, std::string_view name) {
+                                        return component->full_name() < name;
+                                      });
   return found != components_.end() && (*found)->full_name() == full_name ? *found : nullptr;
 }
 

@@ -29,9 +29,9 @@ class Simulation {
   /// Simulated seconds since the start.
   double time() const { return static_cast<double>(tick_) / scenario_.time.frequency; }
 
-  /// The two halves of a tick (design: Time): first the sensors that are due read the world as it is
-  /// at time(); then actuators act, the physics takes one step and time() moves on. Commands given in
-  /// between answer what the sensors saw, without delay.
+  /// The two halves of a tick (design: Time): first the sensors that are due read the world as it
+  /// is at time(); then actuators act, the physics takes one step and time() moves on. Commands
+  /// given in between answer what the sensors saw, without delay.
   void Sense();
   void Act();
 

@@ -38,8 +38,7 @@ int main(int argc, char** argv) {
       ->type_name("SECONDS");
   run_command->add_option("--seed", run.seed, "of all random numbers  [the scenario's]")
       ->type_name("N");
-  run_command
-      ->add_option("--port", run.port, "of MORSE's services; 0 takes any free one  [4000]")
+  run_command->add_option("--port", run.port, "of MORSE's services; 0 takes any free one  [4000]")
       ->check(CLI::Range(0, 65535))
       ->type_name("N");
   run_command

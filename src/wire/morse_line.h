@@ -13,7 +13,7 @@ namespace ccmorse::wire {
 struct MorseRequest {
   enum class Kind { kCall, kCancel, kMalformed };
   Kind kind = Kind::kMalformed;
-  std::string_view id;          ///< empty for a blank line
+  std::string_view id;  ///< empty for a blank line
   std::string_view component;
   std::string_view service;
   std::string_view parameters;  ///< raw JSON text; empty when there is none
@@ -38,8 +38,9 @@ class LineSplitter {
   void Append(std::string_view bytes);
 
   enum class Result { kLine, kTooLong, kNeedMore };
-  /// kLine: `line` is the next one, without its end ("\n" or "\r\n"), valid until Append() or Next().
-  /// kTooLong: a line beyond the limit has begun; it is dropped up to its end and told of once.
+  /// kLine: `line` is the next one, without its end ("\n" or "\r\n"), valid until Append() or
+  /// Next(). kTooLong: a line beyond the limit has begun; it is dropped up to its end and told of
+  /// once.
   Result Next(std::string_view* line);
 
   std::size_t buffered() const { return buffer_.size() - begin_; }
@@ -47,8 +48,8 @@ class LineSplitter {
  private:
   std::size_t longest_;
   std::string buffer_;
-  std::size_t begin_ = 0;    // of what was not handed out yet
-  std::size_t searched_ = 0; // no line end before here
+  std::size_t begin_ = 0;     // of what was not handed out yet
+  std::size_t searched_ = 0;  // no line end before here
   bool dropping_ = false;
 };
 

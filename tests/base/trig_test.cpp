@@ -35,8 +35,8 @@ TEST(Trig, Atan2AgreesWithTheCLibrary) {
 
 TEST(Trig, NormalizedAnglesPointTheSameWay) {
   EXPECT_TRUE(rc::check("same direction, in (-pi, pi]", [] {
-    const double angle = *rc::gen::map(rc::gen::inRange(-1000000, 1000000),
-                                       [](int n) { return n * 1e-4; });
+    const double angle =
+        *rc::gen::map(rc::gen::inRange(-1000000, 1000000), [](int n) { return n * 1e-4; });
     const double normal = NormalizeAngle(angle);
     RC_ASSERT(normal > -kPi && normal <= kPi);
     RC_ASSERT(std::abs(std::remainder(normal - angle, 2 * kPi)) < 1e-12);

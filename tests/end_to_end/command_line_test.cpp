@@ -104,18 +104,15 @@ TEST(CommandLine, CtrlCEndsARunWithItsReport) {
 TEST(CommandLine, TheReportIsJson) {
   const TemporaryFolder folder;
   const std::string report = folder.path() + "/new/report.json";
-  const Finished run =
-      RunToEnd({kCcmorse, "run", "docks", "--pace", "max", "--for", "2", "--port", "0",
-                "--stream-port", "0", "--report", report});
+  const Finished run = RunToEnd({kCcmorse, "run", "docks", "--pace", "max", "--for", "2", "--port",
+                                 "0", "--stream-port", "0", "--report", report});
   EXPECT_EQ(run.status, 0) << run.output;
   const Json parsed = Json::Parse(ReadFile(report));
   EXPECT_EQ(parsed.Find("ticks")->AsInt(), 120);
   EXPECT_EQ(parsed.Find("robots")->AsObject().size(), 13U);
 }
 
-TEST(W11, ThirteenRobotsRunFromTheirDocks) {
-  EXPECT_EQ(RunScenario("docks").status, 0);
-}
+TEST(W11, ThirteenRobotsRunFromTheirDocks) { EXPECT_EQ(RunScenario("docks").status, 0); }
 
 TEST(CommandLine, EveryListedScenarioRuns) {
   const Finished list = RunToEnd({kCcmorse, "list"});

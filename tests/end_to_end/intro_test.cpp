@@ -25,8 +25,8 @@ Outcome RunIntro(const std::string& scenario, double seconds) {
   const TemporaryFolder folder;
   const std::string report = folder.path() + "/report.json";
   const std::string picture = folder.path() + "/picture.png";
-  Simulator simulator({scenario, "--pace", "lockstep", "--for", std::to_string(seconds),
-                       "--report", report, "--picture", picture});
+  Simulator simulator({scenario, "--pace", "lockstep", "--for", std::to_string(seconds), "--report",
+                       report, "--picture", picture});
   const Finished intro = RunToEnd(
       {BuiltProgram("intro"), "--host", "localhost", "--port", std::to_string(simulator.port())});
   EXPECT_EQ(simulator.process().Wait(), 0) << simulator.process().output();
@@ -65,10 +65,9 @@ TEST(Determinism, TwoRunsOverTcpAreEqualBitForBit) {
 TEST(X43, TheLogHasTheListingsLines) {
   const Outcome outcome = RunIntro("course_map", 2);
   const std::string number = R"(-?[0-9.]+(e-?[0-9]+)?)";
-  for (const std::string& line :
-       {"POSITION " + number + " " + number + " " + number,
-        "SPEED " + number + " " + number + " " + number,
-        "laser " + number + " " + number + " 682"}) {
+  for (const std::string& line : {"POSITION " + number + " " + number + " " + number,
+                                  "SPEED " + number + " " + number + " " + number,
+                                  "laser " + number + " " + number + " 682"}) {
     EXPECT_TRUE(std::regex_search(outcome.program, std::regex(line))) << line;
   }
 }

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "base/json.h"
 #include "base/error.h"
+#include "base/json.h"
 #include "base/log.h"
 #include "tests/servers/served_simulation.h"
 #include "tests/support/line_client.h"

@@ -10,7 +10,8 @@
 
 namespace ccmorse::servers {
 
-/// A simulation served on free ports by a thread of its own, for tests that talk to it over sockets.
+/// A simulation served on free ports by a thread of its own, for tests that talk to it over
+/// sockets.
 class ServedSimulation {
  public:
   explicit ServedSimulation(const std::string& scenario, Pace pace = Pace::kRealTime,

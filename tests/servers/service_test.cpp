@@ -1,4 +1,5 @@
-// The service port as MORSE's clients know it, over real sockets (MORSE 1.4's rules and error texts).
+// The service port as MORSE's clients know it, over real sockets (MORSE 1.4's rules and error
+// texts).
 
 #include <gtest/gtest.h>
 
@@ -160,7 +161,8 @@ TEST_F(ServiceTest, ObjectsCanBePlacedWhereTheyFit) {
   EXPECT_NEAR(Value("s1r.pose get_local_data").Find("x")->AsDouble(), 1.6, 1e-12);
   EXPECT_EQ(Ask("1 simulation set_object_position [\"s1r\", [0.34, 1.44, 0]]"),
             R"(1 FAILED "Object 's1r' does not fit there: it would overlap an obstacle")");
-  EXPECT_EQ(Ask("1 simulation reset_objects"), R"(1 SUCCESS "Objects restored to initial position")");
+  EXPECT_EQ(Ask("1 simulation reset_objects"),
+            R"(1 SUCCESS "Objects restored to initial position")");
 }
 
 TEST_F(ServiceTest, SuspendedDynamicsKeepRobotsWhereTheyAre) {
@@ -186,8 +188,7 @@ TEST_F(ServiceTest, QuitEndsTheRunAndIsAnswered) {
 TEST_F(ServiceTest, ConfigurationsSayWhereADeviceSits) {
   const Json configurations = *Value("s1r.hokuyo get_configurations").Find("configurations");
   EXPECT_EQ(*configurations.Find("scan_window"), Json(270.0));
-  EXPECT_EQ(configurations.Find("object_to_robot")->Find("translation")->AsArray()[0],
-            Json(0.035));
+  EXPECT_EQ(configurations.Find("object_to_robot")->Find("translation")->AsArray()[0], Json(0.035));
   EXPECT_NE(Value("s1r.hokuyo get_properties").Find("properties"), nullptr);
 }
 

@@ -55,7 +55,8 @@ int Mismatches(PlanarScanner& scanner, double first, double step, const Pose2& p
   scanner.Scan(pose, fixed, moving, self, ranges);
   int wrong = 0;
   for (int i = 0; i < scanner.count(); ++i) {
-    const long double bearing = static_cast<long double>(first) + i * static_cast<long double>(step);
+    const long double bearing =
+        static_cast<long double>(first) + i * static_cast<long double>(step);
     const Reference a = CastBruteForce(pose, bearing, scanner.range(), fixed, self);
     const Reference b = CastBruteForce(pose, bearing, scanner.range(), moving, self);
     if (a.near_edge || b.near_edge) continue;

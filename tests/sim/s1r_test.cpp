@@ -33,7 +33,8 @@ void Drive(Simulation& simulation, const std::string& robot, double v, double w)
 
 std::vector<std::string> Names(const Simulation& simulation) {
   std::vector<std::string> names;
-  for (const Component* component : simulation.components()) names.push_back(component->full_name());
+  for (const Component* component : simulation.components())
+    names.push_back(component->full_name());
   return names;
 }
 
@@ -161,8 +162,7 @@ TEST(Contact, RobotsStopEachOther) {
 }
 
 TEST(L203, OdometryIntegratesToTheDrivenPath) {
-  Simulation simulation(
-      Parse(R"({"robots": [{"pose": {"x": 1.5, "y": 2.4, "yaw_deg": 30}}]})"));
+  Simulation simulation(Parse(R"({"robots": [{"pose": {"x": 1.5, "y": 2.4, "yaw_deg": 30}}]})"));
   Drive(simulation, "s1r", 0.2, 1.0);
   Advance(simulation, 1.0);
   simulation.Sense();

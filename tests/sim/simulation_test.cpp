@@ -18,8 +18,7 @@ std::uint64_t Drive(const std::string& scenario, int ticks) {
   for (int i = 0; i < ticks; ++i) {
     simulation.Sense();
     for (const auto& robot : simulation.robots()) {
-      auto* motion =
-          dynamic_cast<Actuator*>(simulation.FindComponent(robot->name() + ".motion"));
+      auto* motion = dynamic_cast<Actuator*>(simulation.FindComponent(robot->name() + ".motion"));
       motion->Receive(Json(Json::Object{{"v", 0.3}, {"w", std::remainder(0.01 * i, 2.0)}}));
     }
     simulation.Act();
@@ -65,8 +64,8 @@ TEST(Time, IsDerivedFromTheTickAndNotAddedUp) {
 }
 
 TEST(Sensors, SampleAtTheirOwnRate) {
-  Simulation simulation(Parse(
-      R"({"time": {"frequency": 50}, "robots": [{"laser": {"frequency": 7}}]})"));
+  Simulation simulation(
+      Parse(R"({"time": {"frequency": 50}, "robots": [{"laser": {"frequency": 7}}]})"));
   for (int i = 0; i < 500; ++i) {
     simulation.Sense();
     simulation.Act();

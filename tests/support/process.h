@@ -19,10 +19,11 @@ class Process {
 
   /// Reads output until a line contains `text`; that line, or nothing when it does not come in time
   /// or the program ends before.
-  std::optional<std::string> WaitForLine(
-      const std::string& text, std::chrono::seconds timeout = std::chrono::seconds(30));
+  std::optional<std::string> WaitForLine(const std::string& text,
+                                         std::chrono::seconds timeout = std::chrono::seconds(30));
 
-  /// Waits for its end; the exit status, 128 + signal for a killed one, nothing when it lasts longer.
+  /// Waits for its end; the exit status, 128 + signal for a killed one, nothing when it lasts
+  /// longer.
   std::optional<int> Wait(std::chrono::seconds timeout = std::chrono::seconds(60));
 
   void Signal(int signal);

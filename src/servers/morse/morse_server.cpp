@@ -224,8 +224,8 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
   std::vector<std::shared_ptr<StreamPort>> streams;
   std::size_t stream_clients = 0;
   bool sensed_once = false;
-  std::uint64_t sensed_tick = 0;      // of the last Sense()
-  std::string ended;                  // why reads fail, once the run is over
+  std::uint64_t sensed_tick = 0;  // of the last Sense()
+  std::string ended;              // why reads fail, once the run is over
   std::map<std::string, Use> uses;
   WarningLimit warnings;
   bool closed = false;
@@ -270,15 +270,15 @@ class MorseServer::ServiceConnection
   void Read() {
     reading_ = true;
     block_.resize(kReadBlock);
-    socket_.async_read_some(
-        asio::buffer(block_), [self = shared_from_this()](ErrorCode error, std::size_t size) {
-          self->reading_ = false;
-          if (self->shared_.closed) return;
-          if (error) return self->Leave();
-          self->lines_.Append(std::string_view(self->block_.data(), size));
-          if (self->read_id_) self->AnswerPings();
-          self->Process();
-        });
+    socket_.async_read_some(asio::buffer(block_),
+                            [self = shared_from_this()](ErrorCode error, std::size_t size) {
+                              self->reading_ = false;
+                              if (self->shared_.closed) return;
+                              if (error) return self->Leave();
+                              self->lines_.Append(std::string_view(self->block_.data(), size));
+                              if (self->read_id_) self->AnswerPings();
+                              self->Process();
+                            });
   }
 
   // Reads on unless the client floods us or does not fetch its replies.
@@ -396,8 +396,7 @@ class MorseServer::ServiceConnection
           if (!self->serving_) self->Flush();
         });
     if (request.service == "get_local_data") {
-      const auto* sensor =
-          dynamic_cast<sim::Sensor*>(shared_.simulation.FindComponent(component));
+      const auto* sensor = dynamic_cast<sim::Sensor*>(shared_.simulation.FindComponent(component));
       if (sensor != nullptr) shared_.CountUse(*sensor);
     }
   }
@@ -464,8 +463,8 @@ class MorseServer::ServiceConnection
       return true;
     }
     ++next_read_;
-    const double seconds = static_cast<double>(shared_.sensed_tick) /
-                           shared_.simulation.scenario().time.frequency;
+    const double seconds =
+        static_cast<double>(shared_.sensed_tick) / shared_.simulation.scenario().time.frequency;
     Reply(id, {Outcome::kSuccess, Json(Json::Object{{"time", seconds}})});
     return true;
   }
@@ -557,8 +556,8 @@ class MorseServer::StreamPort : public std::enable_shared_from_this<MorseServer:
         actuator_(dynamic_cast<sim::Actuator*>(&component)) {}
 
   void Open(int port) {
-    listener_ = std::make_shared<Listener>(
-        shared_.io, [this](tcp::socket socket) { Take(std::move(socket)); });
+    listener_ = std::make_shared<Listener>(shared_.io,
+                                           [this](tcp::socket socket) { Take(std::move(socket)); });
     listener_->Open(shared_.options.bind, port, true);
   }
 
@@ -623,8 +622,7 @@ class MorseServer::StreamPort : public std::enable_shared_from_this<MorseServer:
       return;
     }
     ++shared_.stream_clients;
-    auto client =
-        std::make_shared<Client>(std::move(socket), shared_.options.longest_stream_line);
+    auto client = std::make_shared<Client>(std::move(socket), shared_.options.longest_stream_line);
     clients_.insert(client);
     Read(client);
   }
@@ -739,9 +737,8 @@ void MorseServer::TimeAdvanced() { shared_->directory.TimeAdvanced(); }
 
 bool MorseServer::ClientsAreWaiting() const {
   return HasReaders() &&
-         std::all_of(shared_->connections.begin(), shared_->connections.end(), [](const auto& c) {
-           return !c->reads() || c->read_outstanding();
-         });
+         std::all_of(shared_->connections.begin(), shared_->connections.end(),
+                     [](const auto& c) { return !c->reads() || c->read_outstanding(); });
 }
 
 bool MorseServer::HasReaders() const {

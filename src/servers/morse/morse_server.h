@@ -18,17 +18,17 @@ struct MorseServerOptions {
   std::string bind = "127.0.0.1";  ///< address to listen on
   int port = 4000;                 ///< of the services; 0: any free one
   int first_stream_port = 60000;   ///< streams take the next free ports from here; 0: any free ones
-  std::size_t most_clients = 256;         ///< connections to the service port
-  std::size_t most_stream_clients = 512;  ///< connections to all stream ports together
+  std::size_t most_clients = 256;  ///< connections to the service port
+  std::size_t most_stream_clients = 512;        ///< connections to all stream ports together
   std::size_t longest_request = 4U << 20;       ///< bytes of one line to the service port
   std::size_t longest_stream_line = 64U << 10;  ///< bytes of one line to an actuator's stream
   std::size_t most_unread = 16U << 20;          ///< bytes of replies a client may leave unread
 };
 
-/// MORSE's socket middleware for one simulation (specs: morse.md A): services on one port, a stream port
-/// for each component that has one, and the services of docs/protocols/ccmorse-services.md. It does
-/// its work in handlers of the io_context, on the thread that runs it, which must be the thread
-/// that advances the simulation; each handler is short.
+/// MORSE's socket middleware for one simulation (specs: morse.md A): services on one port, a stream
+/// port for each component that has one, and the services of docs/protocols/ccmorse-services.md. It
+/// does its work in handlers of the io_context, on the thread that runs it, which must be the
+/// thread that advances the simulation; each handler is short.
 class MorseServer {
  public:
   /// What `ccmorse hello` tells of the run.
@@ -37,7 +37,8 @@ class MorseServer {
     double read_frequency = 10.0;   ///< Hz of simulated time
   };
 
-  /// Listens. Throws Error that names the port when it is taken. `control.stream_port` is filled in.
+  /// Listens. Throws Error that names the port when it is taken. `control.stream_port` is filled
+  /// in.
   MorseServer(boost::asio::io_context& io, sim::Simulation& simulation, RunControl control,
               const Pace& pace, const MorseServerOptions& options);
   ~MorseServer();

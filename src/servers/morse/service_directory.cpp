@@ -151,18 +151,18 @@ void ServiceDirectory::AddComponentServices(sim::Component& component) {
   const std::string& full_name = component.full_name();
   for (const Service& service : component.services()) Add(full_name, service);
   if (dynamic_cast<sim::Sensor*>(&component) != nullptr) {
-    Add(full_name, {"get_local_data", {}, nullptr, nullptr,
-                    [&component]() -> const std::string& { return component.LocalData(); }});
+    Add(full_name, {"get_local_data", {}, nullptr, nullptr, [&component]() -> const std::string& {
+                      return component.LocalData();
+                    }});
   }
   Add(full_name, {"get_configurations", {}, [&component](Arguments) {
                     Json configurations = component.Configurations();
                     configurations.Set(
                         "object_to_robot",
-                        Json::Object{
-                            {"rotation", Json::Array{Json::Array{1.0, 0.0, 0.0},
-                                                     Json::Array{0.0, 1.0, 0.0},
-                                                     Json::Array{0.0, 0.0, 1.0}}},
-                            {"translation", ToJson(component.mount())}});
+                        Json::Object{{"rotation", Json::Array{Json::Array{1.0, 0.0, 0.0},
+                                                              Json::Array{0.0, 1.0, 0.0},
+                                                              Json::Array{0.0, 0.0, 1.0}}},
+                                     {"translation", ToJson(component.mount())}});
                     return Json(Json::Object{{"configurations", std::move(configurations)}});
                   }});
   Add(full_name, {"get_properties", {}, [&component](Arguments) {
@@ -179,8 +179,7 @@ void ServiceDirectory::AddComponentServices(sim::Component& component) {
                     return Json(Json::Object{{"properties", std::move(properties)}});
                   }});
   Add(full_name,
-      {"set_property", {{"name"}, {"value"}},
-       [&component](Arguments arguments) -> Json {
+      {"set_property", {{"name"}, {"value"}}, [&component](Arguments arguments) -> Json {
          const std::string& property = sim::StringArgument(arguments, 0, "name");
          if (component.Configurations().Find(property) == nullptr) {
            throw ServiceFailed("Property " + property + " does not exist for object " +
@@ -262,10 +261,11 @@ void ServiceDirectory::AddSimulationServices() {
   add("set_log_level", {{"component"}, {"level"}}, [](Arguments arguments) {
     sim::StringArgument(arguments, 0, "component");
     const std::string& level = sim::StringArgument(arguments, 1, "level");
-    static const std::map<std::string, LogLevel> kLevels = {
-        {"DEBUG", LogLevel::kDebug},     {"INFO", LogLevel::kInfo},
-        {"WARNING", LogLevel::kWarning}, {"ERROR", LogLevel::kError},
-        {"CRITICAL", LogLevel::kError}};
+    static const std::map<std::string, LogLevel> kLevels = {{"DEBUG", LogLevel::kDebug},
+                                                            {"INFO", LogLevel::kInfo},
+                                                            {"WARNING", LogLevel::kWarning},
+                                                            {"ERROR", LogLevel::kError},
+                                                            {"CRITICAL", LogLevel::kError}};
     const auto found = kLevels.find(level);
     if (found == kLevels.end()) throw ServiceFailed("Unknown level: '" + level + "'");
     SetLogLevel(found->second);
@@ -339,8 +339,8 @@ void ServiceDirectory::PlaceObject(Arguments arguments) {
     }
     throw ServiceFailed("Object '" + name + "' does not appear in the scene.");
   }
-  const double yaw = arguments.size() > 2 ? PointArgument(arguments, 2, "orientation").z
-                                          : robot->pose().yaw;
+  const double yaw =
+      arguments.size() > 2 ? PointArgument(arguments, 2, "orientation").z : robot->pose().yaw;
   const Pose2 pose{position.x, position.y, NormalizeAngle(yaw)};
   std::vector<const sim::Obstacle*> others;
   for (const sim::Obstacle& box : simulation_.world().obstacles()) others.push_back(&box);
@@ -369,15 +369,15 @@ void ServiceDirectory::AddTimeServices() {
     }
     return Json(control_.set_time_scale(factor));
   });
-  Add("time", {"sleep", {{"delay"}}, nullptr, [this](Arguments arguments, sim::Completion done) {
-                 const double delay = sim::NumberArgument(arguments, 0, "delay");
-                 if (sleeper_) {
-                   throw ServiceFailed(
-                       "A service (sleep) is already running. I do not know what to do.");
-                 }
-                 alarm_ = simulation_.time() + delay;
-                 sleeper_ = std::move(done);
-               }});
+  Add("time",
+      {"sleep", {{"delay"}}, nullptr, [this](Arguments arguments, sim::Completion done) {
+         const double delay = sim::NumberArgument(arguments, 0, "delay");
+         if (sleeper_) {
+           throw ServiceFailed("A service (sleep) is already running. I do not know what to do.");
+         }
+         alarm_ = simulation_.time() + delay;
+         sleeper_ = std::move(done);
+       }});
 }
 
 void ServiceDirectory::TimeAdvanced() {

@@ -26,13 +26,15 @@ struct RunControl {
 };
 
 /// Every service that can be called over MORSE's socket protocol, by component and name, with
-/// MORSE's rules for parameters and its error texts (specs: morse.md A.5, A.8-A.11). Knows no socket.
+/// MORSE's rules for parameters and its error texts (specs: morse.md A.5, A.8-A.11). Knows no
+/// socket.
 class ServiceDirectory {
  public:
   ServiceDirectory(sim::Simulation& simulation, RunControl control);
 
-  /// Runs a service; `done` is called once, now or when an asynchronous service ends. `parameters` is
-  /// the raw text behind the service's name. Never throws on bad input: that is a kFailed result.
+  /// Runs a service; `done` is called once, now or when an asynchronous service ends. `parameters`
+  /// is the raw text behind the service's name. Never throws on bad input: that is a kFailed
+  /// result.
   void Call(std::string_view component, std::string_view service, std::string_view parameters,
             sim::Completion done);
 
@@ -43,7 +45,8 @@ class ServiceDirectory {
   static bool HasStream(const sim::Component& component);
 
  private:
-  using Table = std::map<std::string, std::map<std::string, sim::Service, std::less<>>, std::less<>>;
+  using Table =
+      std::map<std::string, std::map<std::string, sim::Service, std::less<>>, std::less<>>;
 
   void AddComponentServices(sim::Component& component);
   void AddSimulationServices();
@@ -59,7 +62,7 @@ class ServiceDirectory {
   RunControl control_;
   Table services_;
   Vec3 camera_;
-  double alarm_ = 0.0;        // s, simulated; of the one sleeper
+  double alarm_ = 0.0;  // s, simulated; of the one sleeper
   sim::Completion sleeper_;
 };
 

@@ -5,9 +5,9 @@
 
 namespace ccmorse::sim {
 
-/// Drives by forward speed and turn rate: MORSE's MotionVW (specs: morse.md B.3). Data and stream: v in
-/// m/s, w in rad/s; a command holds until the next. Services set_speed(v, w) and stop(). Speeds beyond
-/// the robot's limits are clamped; NaN and infinity are refused.
+/// Drives by forward speed and turn rate: MORSE's MotionVW (specs: morse.md B.3). Data and stream:
+/// v in m/s, w in rad/s; a command holds until the next. Services set_speed(v, w) and stop().
+/// Speeds beyond the robot's limits are clamped; NaN and infinity are refused.
 class MotionVW : public Actuator {
  public:
   MotionVW(Robot& robot, const std::string& name);

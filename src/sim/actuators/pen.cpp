@@ -62,9 +62,9 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
                 return Json();
               }});
   AddService({"get_pixel", {{"x"}, {"y"}}, [this](Arguments arguments) {
-                return ToJson(canvas_.GetPixel(
-                    IntegerArgument(arguments, 0, "x", 0, canvas_.width() - 1),
-                    IntegerArgument(arguments, 1, "y", 0, canvas_.height() - 1)));
+                return ToJson(
+                    canvas_.GetPixel(IntegerArgument(arguments, 0, "x", 0, canvas_.width() - 1),
+                                     IntegerArgument(arguments, 1, "y", 0, canvas_.height() - 1)));
               }});
   AddService({"set_line",
               {{"x0"}, {"y0"}, {"x1"}, {"y1"}, {"r"}, {"g"}, {"b"}, alpha},
@@ -76,8 +76,9 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
               }});
   AddService({"get_image_data", {}, [this](Arguments) {
                 if (canvas_.width() * canvas_.height() > kMostListed) {
-                  throw ServiceFailed("the canvas has more than 1000000 cells, too many for one "
-                                      "message; use get_pixel or save_image_copy");
+                  throw ServiceFailed(
+                      "the canvas has more than 1000000 cells, too many for one "
+                      "message; use get_pixel or save_image_copy");
                 }
                 Json::Array pixels;
                 for (int y = 0; y < canvas_.height(); ++y) {
@@ -106,17 +107,17 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
                 }
                 return Json();
               }});
-  AddService({"update_image_data", {{"pixels"}}, [this](Arguments arguments) {
-                // All or nothing: a wrong pixel changes no cell.
-                std::vector<std::pair<Vec2i, Color>> changes;
-                for (const Json& pixel : ListArgument(arguments, "pixels")) {
-                  const Json::Array& parts = ListOf(pixel, "[x, y, r, g, b]", 5);
-                  changes.push_back(
-                      {{Cell(parts, 0, "x"), Cell(parts, 1, "y")}, ColorArgument(parts, 2)});
-                }
-                for (const auto& [at, color] : changes) canvas_.SetPixel(at.x, at.y, color);
-                return Json();
-              }});
+  AddService(
+      {"update_image_data", {{"pixels"}}, [this](Arguments arguments) {
+         // All or nothing: a wrong pixel changes no cell.
+         std::vector<std::pair<Vec2i, Color>> changes;
+         for (const Json& pixel : ListArgument(arguments, "pixels")) {
+           const Json::Array& parts = ListOf(pixel, "[x, y, r, g, b]", 5);
+           changes.push_back({{Cell(parts, 0, "x"), Cell(parts, 1, "y")}, ColorArgument(parts, 2)});
+         }
+         for (const auto& [at, color] : changes) canvas_.SetPixel(at.x, at.y, color);
+         return Json();
+       }});
   AddService({"resize_canvas", {{"width"}, {"height"}}, [this](Arguments arguments) {
                 canvas_.Resize(IntegerArgument(arguments, 0, "width", 1, kMostCells),
                                IntegerArgument(arguments, 1, "height", 1, kMostCells));

@@ -5,9 +5,9 @@
 
 namespace ccmorse::sim {
 
-/// The thesis's Pen (4.2.1): lets its robot draw on the canvas, by services only. Colours are 0..255 a
-/// channel, alpha 0..1; cells outside the canvas are left out. save_image_copy writes a PNG into the
-/// folder the simulator was told to use (`--out`), under the plain file name given.
+/// The thesis's Pen (4.2.1): lets its robot draw on the canvas, by services only. Colours are
+/// 0..255 a channel, alpha 0..1; cells outside the canvas are left out. save_image_copy writes a
+/// PNG into the folder the simulator was told to use (`--out`), under the plain file name given.
 class Pen : public Actuator {
  public:
   Pen(Robot& robot, const std::string& name, Canvas& canvas);

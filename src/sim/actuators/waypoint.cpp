@@ -62,7 +62,8 @@ void Waypoint::Receive(const Json& message) {
   Target target;
   target.point = {NumberMember(message, "x"), NumberMember(message, "y")};
   target.z = message.Find("z") != nullptr ? NumberMember(message, "z") : 0.0;
-  target.tolerance = message.Find("tolerance") != nullptr ? NumberMember(message, "tolerance") : 0.5;
+  target.tolerance =
+      message.Find("tolerance") != nullptr ? NumberMember(message, "tolerance") : 0.5;
   target.speed = message.Find("speed") != nullptr ? NumberMember(message, "speed") : 1.0;
   DriveTo(target);
 }

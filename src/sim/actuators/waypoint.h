@@ -5,11 +5,11 @@
 
 namespace ccmorse::sim {
 
-/// Drives to a point: MORSE's Waypoint (specs: morse.md B.3). Turns at speed/2 rad/s towards the target
-/// and goes forward while it looks less than 60 degrees away from it. Data and stream: x, y, z, tolerance in
-/// m, speed in m/s. Services: goto (answered "Arrived" on arrival; a new one preempts it), setdest,
-/// stop, resume, get_status. It does not avoid obstacles: MORSE's needs two radar sensors, which the
-/// S1R lacks.
+/// Drives to a point: MORSE's Waypoint (specs: morse.md B.3). Turns at speed/2 rad/s towards the
+/// target and goes forward while it looks less than 60 degrees away from it. Data and stream: x, y,
+/// z, tolerance in m, speed in m/s. Services: goto (answered "Arrived" on arrival; a new one
+/// preempts it), setdest, stop, resume, get_status. It does not avoid obstacles: MORSE's needs two
+/// radar sensors, which the S1R lacks.
 class Waypoint : public Actuator {
  public:
   Waypoint(Robot& robot, const std::string& name);

@@ -11,8 +11,8 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr double kCheckEvery = 0.005;   // m of the fastest point's path
-constexpr double kStopShort = 1e-5;     // m: how closely a blocked robot stands before contact
+constexpr double kCheckEvery = 0.005;     // m of the fastest point's path
+constexpr double kStopShort = 1e-5;       // m: how closely a blocked robot stands before contact
 constexpr std::size_t kMostCorners = 16;  // of a footprint, which is placed without allocation
 
 double RadiusAround(std::span<const Vec2> outline, Vec2 centre) {

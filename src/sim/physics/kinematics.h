@@ -39,8 +39,8 @@ struct MotionResult {
 };
 
 /// Drives the arc as far as nothing is touched: the footprint never overlaps an obstacle, and a
-/// blocked robot stands less than 1e-5 m of path before contact. Obstacles are checked every 5 mm of
-/// the fastest point's path, so nothing of 1 cm or more is jumped over at any speed.
+/// blocked robot stands less than 1e-5 m of path before contact. Obstacles are checked every 5 mm
+/// of the fastest point's path, so nothing of 1 cm or more is jumped over at any speed.
 MotionResult DriveUntilContact(const Footprint& footprint, const Pose2& start, double v, double w,
                                double seconds, std::span<const Obstacle* const> obstacles);
 

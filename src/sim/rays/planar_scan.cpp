@@ -10,9 +10,9 @@ namespace {
 
 // inverse[i] = max(inverse[i], a * cosines[i] + b * sines[i]): the whole inner loop. The two builds
 // of it do the same IEEE operations, so they give the same bits.
-#define CCMORSE_RAISE_LOOP                                   \
-  for (int i = 0; i < count; ++i) {                          \
-    const double candidate = a * cosines[i] + b * sines[i];  \
+#define CCMORSE_RAISE_LOOP                                        \
+  for (int i = 0; i < count; ++i) {                               \
+    const double candidate = a * cosines[i] + b * sines[i];       \
     inverse[i] = candidate > inverse[i] ? candidate : inverse[i]; \
   }
 
@@ -45,7 +45,8 @@ double RoughAngle(Vec2 v) {
   if (larger == 0.0) return 0.0;
   const double t = std::min(ax, ay) / larger;
   const double z = t * t;
-  double angle = t * (0.99986600 + z * (-0.33029950 + z * (0.18014100 + z * (-0.08513300 + z * 0.02083510))));
+  double angle =
+      t * (0.99986600 + z * (-0.33029950 + z * (0.18014100 + z * (-0.08513300 + z * 0.02083510))));
   if (ay > ax) angle = kPi / 2.0 - angle;
   if (v.x < 0.0) angle = kPi - angle;
   return v.y < 0.0 ? -angle : angle;

@@ -41,7 +41,8 @@ class PlanarWorld {
 class PlanarScanner {
  public:
   /// `count` beams, the first at `first_angle` (rad, in the sensor's frame), then counter-clockwise
-  /// in steps of `step` (rad, > 0; count * step <= 2 pi + step). Beams without a hit give `range` (m).
+  /// in steps of `step` (rad, > 0; count * step <= 2 pi + step). Beams without a hit give `range`
+  /// (m).
   PlanarScanner(int count, double first_angle, double step, double range);
 
   int count() const { return count_; }

@@ -23,13 +23,13 @@ struct Twist {
 
 /// What a run's report says of one robot.
 struct RobotTally {
-  double distance = 0.0;        ///< m, path of the robot's origin
-  std::uint64_t contacts = 0;   ///< times it ran against something it did not touch before
-  double stalled = 0.0;         ///< s, spent blocked
+  double distance = 0.0;       ///< m, path of the robot's origin
+  std::uint64_t contacts = 0;  ///< times it ran against something it did not touch before
+  double stalled = 0.0;        ///< s, spent blocked
 };
 
-/// One robot: its body's state and its devices, which it owns. Kinematic: it has the commanded speed
-/// at once and stops where it touches something (design: Physics). Not thread safe.
+/// One robot: its body's state and its devices, which it owns. Kinematic: it has the commanded
+/// speed at once and stops where it touches something (design: Physics). Not thread safe.
 class Robot {
  public:
   /// `index` is its place among the simulation's robots, ordered by name.

@@ -22,8 +22,8 @@ void LaserScanner::Sample(const Instant& now) {
   const Pose2& base = robot().pose();
   const Vec2 at = Transform(base, {def_.position.x, def_.position.y});
   const double height = robot().model().origin_height + def_.position.z;
-  scanner_.Scan({at.x, at.y, base.yaw + def_.yaw}, world_.BoxesAt(height),
-                world_.RobotsAt(height), robot().index(), ranges_);
+  scanner_.Scan({at.x, at.y, base.yaw + def_.yaw}, world_.BoxesAt(height), world_.RobotsAt(height),
+                robot().index(), ranges_);
   DataChanged(now.time);
 }
 

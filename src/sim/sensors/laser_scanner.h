@@ -10,10 +10,10 @@ namespace ccmorse::sim {
 
 class World;
 
-/// A planar laser scanner: MORSE's LaserScanner, of which Hokuyo is a preset (specs: morse.md B.2, H.4;
-/// thesis 4.1.2). Data: point_list, hits in the scanner's frame, m, [0, 0, 0] without a hit; and
-/// range_list, m, the scanner's range without a hit; both from the right-most beam counter-clockwise.
-/// It does not see the robot that carries it.
+/// A planar laser scanner: MORSE's LaserScanner, of which Hokuyo is a preset (specs: morse.md B.2,
+/// H.4; thesis 4.1.2). Data: point_list, hits in the scanner's frame, m, [0, 0, 0] without a hit;
+/// and range_list, m, the scanner's range without a hit; both from the right-most beam
+/// counter-clockwise. It does not see the robot that carries it.
 class LaserScanner : public Sensor {
  public:
   LaserScanner(Robot& robot, const std::string& name, const scene::LaserDef& def,

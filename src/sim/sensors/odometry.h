@@ -7,9 +7,9 @@
 namespace ccmorse::sim {
 
 /// Where the robot has come since the start, as its wheels tell it: MORSE's IntegratedOdometry
-/// (specs: morse.md B.2). Pose in the frame of the robot's pose at the start, m and rad; speeds in the
-/// robot's own frame, m/s and rad/s, with the sign and frame that MORSE's later versions have (1.4
-/// had both wrong). `stall` is ours: whether the robot's last motion was blocked. 60 Hz.
+/// (specs: morse.md B.2). Pose in the frame of the robot's pose at the start, m and rad; speeds in
+/// the robot's own frame, m/s and rad/s, with the sign and frame that MORSE's later versions have
+/// (1.4 had both wrong). `stall` is ours: whether the robot's last motion was blocked. 60 Hz.
 class OdometrySensor : public Sensor {
  public:
   OdometrySensor(Robot& robot, const std::string& name);
