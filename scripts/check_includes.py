@@ -27,7 +27,8 @@ MAY_INCLUDE = {
 # Public headers of the client library by layer (thesis 3.1): a header may include its own layer
 # and those before it.
 CLIENT_LAYERS = [
-    {"MorseError", "Types", "MorseValue", "MorseClient", "MorseRobot", "MorseDevice"},
+    {"MorseError", "Types", "MorseValue", "MorseClient", "MorseRobot", "MorseDevice",
+     "Paint"},
     {"MorseSensor", "MorseActuator", "MorsePose", "MorseOdometry", "MorseMotionVW", "MorseLaser",
      "MorseWaypoint", "MorseProperties", "MorseTime", "MorsePen"},
     {"MorseProxy", "Position2dProxy", "LaserProxy", "WindowProxy", "MorseDriver", "PlayerClient"},

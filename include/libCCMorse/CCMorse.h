@@ -20,6 +20,7 @@
 #include "libCCMorse/MorseTime.h"
 #include "libCCMorse/MorseValue.h"
 #include "libCCMorse/MorseWaypoint.h"
+#include "libCCMorse/Paint.h"
 #include "libCCMorse/PlayerClient.h"
 #include "libCCMorse/Position2dProxy.h"
 #include "libCCMorse/Types.h"

@@ -1,21 +1,13 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "libCCMorse/MorseActuator.h"
+#include "libCCMorse/Paint.h"
 #include "libCCMorse/Types.h"
 
 namespace CCMorse {
-
-/// Whether all of these are arithmetic types: the channels of a colour.
-template <class... T>
-inline constexpr bool kAreNumbers = (std::is_arithmetic_v<T> && ...);
-/// double when one of the types is a floating one, else int.
-template <class... T>
-using Channel_t = std::conditional_t<(std::is_floating_point_v<T> || ...), double, int>;
 
 /// The pen that draws on the simulation's canvas (thesis 4.2.1, 4.2.2): a window with its origin in
 /// the bottom-left corner, over the floor of the world. Only simulators with a canvas have it.
@@ -24,56 +16,23 @@ class MorsePen : public MorseActuator {
  public:
   explicit MorsePen(const MorseDeviceInfo& info);
 
-  // --- Drawing. Cells outside the canvas are left out. Drawing leaves with the next Read(), and
-  // the canvas shows it then. Integer channels and alpha run 0..255 (held within), decimal ones
-  // 0..1; alpha mixes the colour with what is there: 0 leaves it, the highest value covers it.
+  // --- Drawing leaves with the next Read(), and the canvas shows it then. Cells outside the canvas
+  // are left out. The colour is written in any of Paint_t's ways: (r, g, b), (r, g, b, alpha), each
+  // 0..255 or 0..1, or "#34AAFF" with or without alpha. Throws MorseError for text that is no
+  // colour.
 
-  /// Colours a cell, channels 0..255 (thesis 4.2.2).
-  void SetPixel(int x, int y, int r, int g, int b);
-  void SetPixel(int x, int y, int r, int g, int b, int alpha);
-  void SetPixel(int x, int y, int r, int g, int b, double alpha);
-  void SetPixel(int x, int y, unsigned char r, unsigned char g, unsigned char b);
-  void SetPixel(int x, int y, unsigned char r, unsigned char g, unsigned char b,
-                unsigned char alpha);
-  /// Channels 0..1.
-  void SetPixel(int x, int y, double r, double g, double b);
-  void SetPixel(int x, int y, double r, double g, double b, double alpha);
-  /// Colour as "#34AAFF". Throws MorseError when the text is no such colour.
-  void SetPixel(int x, int y, const std::string& color);
-  void SetPixel(int x, int y, const std::string& color, int alpha);
-  void SetPixel(int x, int y, const std::string& color, double alpha);
-  /// Any mixture of numbers: all are taken as decimal when a channel is, as integers otherwise,
-  /// when only alpha may be decimal.
-  template <class R, class G, class B, class... Alpha>
-  std::enable_if_t<kAreNumbers<R, G, B, Alpha...>> SetPixel(int x, int y, R r, G g, B b,
-                                                            Alpha... alpha) {
-    using Channel = Channel_t<R, G, B>;
-    SetPixel(x, y, static_cast<Channel>(r), static_cast<Channel>(g), static_cast<Channel>(b),
-             static_cast<Channel_t<Channel, Alpha>>(alpha)...);
+  /// Colours a cell (thesis 4.2.2): SetPixel(x, y, 0, 255, 0).
+  template <class... Paint>
+  void SetPixel(int x, int y, Paint... paint) {
+    DrawPixel({x, y}, Paint_t(paint...));
   }
-
-  /// Colours the cells of a line from (x0, y0) to (x1, y1), both included, channels 0..255.
-  void SetLine(int x0, int y0, int x1, int y1, int r, int g, int b);
-  void SetLine(int x0, int y0, int x1, int y1, int r, int g, int b, int alpha);
-  void SetLine(int x0, int y0, int x1, int y1, int r, int g, int b, double alpha);
-  void SetLine(int x0, int y0, int x1, int y1, unsigned char r, unsigned char g, unsigned char b);
-  void SetLine(int x0, int y0, int x1, int y1, unsigned char r, unsigned char g, unsigned char b,
-               unsigned char alpha);
-  /// Channels 0..1.
-  void SetLine(int x0, int y0, int x1, int y1, double r, double g, double b);
-  void SetLine(int x0, int y0, int x1, int y1, double r, double g, double b, double alpha);
-  /// Colour as "#34AAFF". Throws MorseError when the text is no such colour.
-  void SetLine(int x0, int y0, int x1, int y1, const std::string& color);
-  void SetLine(int x0, int y0, int x1, int y1, const std::string& color, int alpha);
-  void SetLine(int x0, int y0, int x1, int y1, const std::string& color, double alpha);
-  /// Any mixture of numbers, as SetPixel() takes it.
-  template <class R, class G, class B, class... Alpha>
-  std::enable_if_t<kAreNumbers<R, G, B, Alpha...>> SetLine(int x0, int y0, int x1, int y1, R r, G g,
-                                                           B b, Alpha... alpha) {
-    using Channel = Channel_t<R, G, B>;
-    SetLine(x0, y0, x1, y1, static_cast<Channel>(r), static_cast<Channel>(g),
-            static_cast<Channel>(b), static_cast<Channel_t<Channel, Alpha>>(alpha)...);
+  /// Colours the cells of a line from (x0, y0) to (x1, y1), both included (thesis 4.2.2).
+  template <class... Paint>
+  void SetLine(int x0, int y0, int x1, int y1, Paint... paint) {
+    DrawLine({x0, y0}, {x1, y1}, Paint_t(paint...));
   }
+  void DrawPixel(ImagePoint_t at, const Paint_t& paint);                    ///< as SetPixel()
+  void DrawLine(ImagePoint_t from, ImagePoint_t to, const Paint_t& paint);  ///< as SetLine()
 
   /// Colour of a cell, asked from the simulator. Throws MorseError outside the canvas or without an
   /// answer; so do the following requests.
@@ -109,7 +68,7 @@ class MorsePen : public MorseActuator {
   void OnSetup(const std::string& service, const MorseValue& answer) override;
 
  private:
-  void Draw(const char* service, const std::vector<int>& cells, Color_t color, double alpha);
+  void Draw(const char* service, const std::vector<int>& cells, const Paint_t& paint);
   void TakeSize(const MorseValue& size);
 
   // Under the data mutex.

@@ -21,7 +21,7 @@ class PlayerClient {
  public:
   /// Connects; the port is the simulator's, 4000 for MORSE and ccmorse. Throws MorseError within
   /// 2 s when nobody answers.
-  explicit PlayerClient(std::string host = "localhost", int port = 6665);
+  explicit PlayerClient(const std::string& host = "localhost", int port = 6665);
   ~PlayerClient();
   PlayerClient(const PlayerClient&) = delete;
   PlayerClient& operator=(const PlayerClient&) = delete;
@@ -46,7 +46,7 @@ class PlayerClient {
   std::list<playerc_device_info_t> GetDeviceList() const;  ///< MorseClient::GetDeviceList()
   std::string GetHostname() const;                         ///< MorseClient::GetHostname()
   std::uint32_t GetPort() const;                           ///< MorseClient::GetPort()
-  int LookupCode(std::string name) const;                  ///< MorseClient::LookupCode()
+  int LookupCode(const std::string& name) const;           ///< MorseClient::LookupCode()
   std::string LookupName(int code) const;                  ///< MorseClient::LookupName()
   std::uint32_t GetOverflowCount();                        ///< MorseClient::GetOverflowCount()
 

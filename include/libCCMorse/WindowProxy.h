@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "libCCMorse/MorsePen.h"
@@ -27,55 +26,18 @@ class WindowProxy : public MorseProxy {
   static WindowProxy& GetInstance();
   ~WindowProxy() override;
 
-  // --- Drawing. Cells outside the canvas are left out. Drawing leaves with the next Read(), and
-  // the canvas shows it then. Integer channels and alpha run 0..255 (held within), decimal ones
-  // 0..1; alpha mixes the colour with what is there: 0 leaves it, the highest value covers it.
+  // --- Drawing, as MorsePen does it: it leaves with the next Read(), cells outside the canvas are
+  // left out, and the colour is written in any of Paint_t's ways, such as 0, 255, 0.
 
-  /// Colours a cell, channels 0..255 (thesis 4.2.2).
-  void SetPixel(int x, int y, int r, int g, int b);
-  void SetPixel(int x, int y, int r, int g, int b, int alpha);
-  void SetPixel(int x, int y, int r, int g, int b, double alpha);
-  void SetPixel(int x, int y, unsigned char r, unsigned char g, unsigned char b);
-  void SetPixel(int x, int y, unsigned char r, unsigned char g, unsigned char b,
-                unsigned char alpha);
-  /// Channels 0..1.
-  void SetPixel(int x, int y, double r, double g, double b);
-  void SetPixel(int x, int y, double r, double g, double b, double alpha);
-  /// Colour as "#34AAFF". Throws MorseError when the text is no such colour.
-  void SetPixel(int x, int y, const std::string& color);
-  void SetPixel(int x, int y, const std::string& color, int alpha);
-  void SetPixel(int x, int y, const std::string& color, double alpha);
-  /// Any mixture of numbers: all are taken as decimal when a channel is, as integers otherwise,
-  /// when only alpha may be decimal.
-  template <class R, class G, class B, class... Alpha>
-  std::enable_if_t<kAreNumbers<R, G, B, Alpha...>> SetPixel(int x, int y, R r, G g, B b,
-                                                            Alpha... alpha) {
-    using Channel = Channel_t<R, G, B>;
-    SetPixel(x, y, static_cast<Channel>(r), static_cast<Channel>(g), static_cast<Channel>(b),
-             static_cast<Channel_t<Channel, Alpha>>(alpha)...);
+  /// Colours a cell (thesis 4.2.2).
+  template <class... Paint>
+  void SetPixel(int x, int y, Paint... paint) {
+    pen_->SetPixel(x, y, paint...);
   }
-
-  /// Colours the cells of a line from (x0, y0) to (x1, y1), both included, channels 0..255.
-  void SetLine(int x0, int y0, int x1, int y1, int r, int g, int b);
-  void SetLine(int x0, int y0, int x1, int y1, int r, int g, int b, int alpha);
-  void SetLine(int x0, int y0, int x1, int y1, int r, int g, int b, double alpha);
-  void SetLine(int x0, int y0, int x1, int y1, unsigned char r, unsigned char g, unsigned char b);
-  void SetLine(int x0, int y0, int x1, int y1, unsigned char r, unsigned char g, unsigned char b,
-               unsigned char alpha);
-  /// Channels 0..1.
-  void SetLine(int x0, int y0, int x1, int y1, double r, double g, double b);
-  void SetLine(int x0, int y0, int x1, int y1, double r, double g, double b, double alpha);
-  /// Colour as "#34AAFF". Throws MorseError when the text is no such colour.
-  void SetLine(int x0, int y0, int x1, int y1, const std::string& color);
-  void SetLine(int x0, int y0, int x1, int y1, const std::string& color, int alpha);
-  void SetLine(int x0, int y0, int x1, int y1, const std::string& color, double alpha);
-  /// Any mixture of numbers, as SetPixel() takes it.
-  template <class R, class G, class B, class... Alpha>
-  std::enable_if_t<kAreNumbers<R, G, B, Alpha...>> SetLine(int x0, int y0, int x1, int y1, R r, G g,
-                                                           B b, Alpha... alpha) {
-    using Channel = Channel_t<R, G, B>;
-    SetLine(x0, y0, x1, y1, static_cast<Channel>(r), static_cast<Channel>(g),
-            static_cast<Channel>(b), static_cast<Channel_t<Channel, Alpha>>(alpha)...);
+  /// Colours the cells of a line from (x0, y0) to (x1, y1), both included (thesis 4.2.2).
+  template <class... Paint>
+  void SetLine(int x0, int y0, int x1, int y1, Paint... paint) {
+    pen_->SetLine(x0, y0, x1, y1, paint...);
   }
 
   /// Colour of a cell, asked from the simulator. Throws MorseError outside the canvas or without an

@@ -41,7 +41,7 @@ Color Shade(Color color, double factor) {
 
 Color Blend(Color below, Color above, double alpha) {
   const auto channel = [alpha](std::uint8_t b, std::uint8_t a) {
-    return static_cast<std::uint8_t>(b + (a - b) * alpha + 0.5);
+    return static_cast<std::uint8_t>(std::lround(b + (a - b) * alpha));
   };
   return {channel(below.r, above.r), channel(below.g, above.g), channel(below.b, above.b)};
 }

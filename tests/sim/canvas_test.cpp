@@ -20,7 +20,8 @@ class PenTest : public ::testing::Test {
  protected:
   Json Ask(const std::string& name, const Json::Array& arguments) {
     for (const Service& service : simulation_.FindComponent("s1r.pen")->services()) {
-      if (service.name == name) return service.run(arguments);
+      if (service.name != name) continue;
+      return service.text ? Json::Parse(service.text()) : service.run(arguments);
     }
     throw std::runtime_error("no service " + name);
   }

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "libCCMorse/MorseError.h"
 #include "libCCMorse/MorsePen.h"
@@ -13,38 +12,11 @@ const bool kRegistered = RegisterMorseDevice({{"pen"}, {"Pen"}, [](const MorseDe
                                                 return std::make_unique<MorsePen>(info);
                                               }});
 
-// Not sent: the simulator takes a colour without alpha as covering.
-constexpr double kOpaque = -1.0;
-
 // The simulator takes cells in this range, on the canvas or not.
 constexpr int kFarthestCell = 1000000000;
 
-Color_t Color(int r, int g, int b) {
-  const auto channel = [](int c) { return static_cast<unsigned char>(std::clamp(c, 0, 255)); };
-  return Color_t{channel(r), channel(g), channel(b)};
-}
-
-// Channels 0..1; no number counts as 0.
-Color_t Color(double r, double g, double b) {
-  const auto channel = [](double c) {
-    return static_cast<unsigned char>(c > 0.0 ? std::lround(std::min(c, 1.0) * 255.0) : 0);
-  };
-  return Color_t{channel(r), channel(g), channel(b)};
-}
-
-Color_t Color(const std::string& text, const char* function) {
-  if (text.size() != 7 || text[0] != '#' ||
-      text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos) {
-    throw MorseError("\"" + text + "\" is no colour; write it as \"#34AAFF\"", function);
-  }
-  const auto value = std::strtoul(text.c_str() + 1, nullptr, 16);
-  return Color_t{static_cast<unsigned char>(value >> 16U & 0xFFU),
-                 static_cast<unsigned char>(value >> 8U & 0xFFU),
-                 static_cast<unsigned char>(value & 0xFFU)};
-}
-
 Color_t Color(const MorseValue& value) {
-  return Color(value.GetInt("0"), value.GetInt("1"), value.GetInt("2"));
+  return Paint_t(value.GetInt("0"), value.GetInt("1"), value.GetInt("2")).color();
 }
 
 // The index of the cell that holds a coordinate, of `count` cells of `size` m.
@@ -75,96 +47,20 @@ void MorsePen::TakeSize(const MorseValue& size) {
   height_ = std::max(size.GetInt("1"), 0);
 }
 
-void MorsePen::Draw(const char* service, const std::vector<int>& cells, Color_t color,
-                    double alpha) {
+void MorsePen::Draw(const char* service, const std::vector<int>& cells, const Paint_t& paint) {
   MorseArgs args;
   for (const int cell : cells) args.Add(std::clamp(cell, -kFarthestCell, kFarthestCell));
-  args.Add(int{color.r}).Add(int{color.g}).Add(int{color.b});
-  if (alpha != kOpaque) args.Add(alpha > 0.0 ? std::min(alpha, 1.0) : 0.0);
+  args.Add(int{paint.color().r}).Add(int{paint.color().g}).Add(int{paint.color().b});
+  if (paint.alpha() < 1.0) args.Add(paint.alpha());  // without alpha, the colour covers
   Command(service, args);
 }
 
-void MorsePen::SetPixel(int x, int y, int r, int g, int b) {
-  Draw("set_pixel", {x, y}, Color(r, g, b), kOpaque);
+void MorsePen::DrawPixel(ImagePoint_t at, const Paint_t& paint) {
+  Draw("set_pixel", {at.x, at.y}, paint);
 }
 
-void MorsePen::SetPixel(int x, int y, int r, int g, int b, int alpha) {
-  Draw("set_pixel", {x, y}, Color(r, g, b), alpha / 255.0);
-}
-
-void MorsePen::SetPixel(int x, int y, int r, int g, int b, double alpha) {
-  Draw("set_pixel", {x, y}, Color(r, g, b), alpha);
-}
-
-void MorsePen::SetPixel(int x, int y, unsigned char r, unsigned char g, unsigned char b) {
-  Draw("set_pixel", {x, y}, Color_t{r, g, b}, kOpaque);
-}
-
-void MorsePen::SetPixel(int x, int y, unsigned char r, unsigned char g, unsigned char b,
-                        unsigned char alpha) {
-  Draw("set_pixel", {x, y}, Color_t{r, g, b}, alpha / 255.0);
-}
-
-void MorsePen::SetPixel(int x, int y, double r, double g, double b) {
-  Draw("set_pixel", {x, y}, Color(r, g, b), kOpaque);
-}
-
-void MorsePen::SetPixel(int x, int y, double r, double g, double b, double alpha) {
-  Draw("set_pixel", {x, y}, Color(r, g, b), alpha);
-}
-
-void MorsePen::SetPixel(int x, int y, const std::string& color) {
-  Draw("set_pixel", {x, y}, Color(color, "MorsePen::SetPixel()"), kOpaque);
-}
-
-void MorsePen::SetPixel(int x, int y, const std::string& color, int alpha) {
-  Draw("set_pixel", {x, y}, Color(color, "MorsePen::SetPixel()"), alpha / 255.0);
-}
-
-void MorsePen::SetPixel(int x, int y, const std::string& color, double alpha) {
-  Draw("set_pixel", {x, y}, Color(color, "MorsePen::SetPixel()"), alpha);
-}
-
-void MorsePen::SetLine(int x0, int y0, int x1, int y1, int r, int g, int b) {
-  Draw("set_line", {x0, y0, x1, y1}, Color(r, g, b), kOpaque);
-}
-
-void MorsePen::SetLine(int x0, int y0, int x1, int y1, int r, int g, int b, int alpha) {
-  Draw("set_line", {x0, y0, x1, y1}, Color(r, g, b), alpha / 255.0);
-}
-
-void MorsePen::SetLine(int x0, int y0, int x1, int y1, int r, int g, int b, double alpha) {
-  Draw("set_line", {x0, y0, x1, y1}, Color(r, g, b), alpha);
-}
-
-void MorsePen::SetLine(int x0, int y0, int x1, int y1, unsigned char r, unsigned char g,
-                       unsigned char b) {
-  Draw("set_line", {x0, y0, x1, y1}, Color_t{r, g, b}, kOpaque);
-}
-
-void MorsePen::SetLine(int x0, int y0, int x1, int y1, unsigned char r, unsigned char g,
-                       unsigned char b, unsigned char alpha) {
-  Draw("set_line", {x0, y0, x1, y1}, Color_t{r, g, b}, alpha / 255.0);
-}
-
-void MorsePen::SetLine(int x0, int y0, int x1, int y1, double r, double g, double b) {
-  Draw("set_line", {x0, y0, x1, y1}, Color(r, g, b), kOpaque);
-}
-
-void MorsePen::SetLine(int x0, int y0, int x1, int y1, double r, double g, double b, double alpha) {
-  Draw("set_line", {x0, y0, x1, y1}, Color(r, g, b), alpha);
-}
-
-void MorsePen::SetLine(int x0, int y0, int x1, int y1, const std::string& color) {
-  Draw("set_line", {x0, y0, x1, y1}, Color(color, "MorsePen::SetLine()"), kOpaque);
-}
-
-void MorsePen::SetLine(int x0, int y0, int x1, int y1, const std::string& color, int alpha) {
-  Draw("set_line", {x0, y0, x1, y1}, Color(color, "MorsePen::SetLine()"), alpha / 255.0);
-}
-
-void MorsePen::SetLine(int x0, int y0, int x1, int y1, const std::string& color, double alpha) {
-  Draw("set_line", {x0, y0, x1, y1}, Color(color, "MorsePen::SetLine()"), alpha);
+void MorsePen::DrawLine(ImagePoint_t from, ImagePoint_t to, const Paint_t& paint) {
+  Draw("set_line", {from.x, from.y, to.x, to.y}, paint);
 }
 
 Color_t MorsePen::GetPixel(int x, int y) {

@@ -3,7 +3,8 @@
 
 namespace CCMorse {
 
-PlayerClient::PlayerClient(std::string host, int port) : client_(MorseClient::Share(host, port)) {}
+PlayerClient::PlayerClient(const std::string& host, int port)
+    : client_(MorseClient::Share(host, port)) {}
 PlayerClient::~PlayerClient() = default;
 
 void PlayerClient::Read() { client_->Read(); }
@@ -34,7 +35,7 @@ std::list<playerc_device_info_t> PlayerClient::GetDeviceList() const {
 
 std::string PlayerClient::GetHostname() const { return client_->GetHostname(); }
 std::uint32_t PlayerClient::GetPort() const { return client_->GetPort(); }
-int PlayerClient::LookupCode(std::string name) const { return client_->LookupCode(name); }
+int PlayerClient::LookupCode(const std::string& name) const { return client_->LookupCode(name); }
 std::string PlayerClient::LookupName(int code) const { return client_->LookupName(code); }
 std::uint32_t PlayerClient::GetOverflowCount() { return client_->GetOverflowCount(); }
 

@@ -26,7 +26,7 @@ using ErrorCode = boost::system::error_code;
 using sim::Outcome;
 
 constexpr std::size_t kReadBlock = 64U << 10;
-constexpr int kRequestsPerTurn = 64;  // of one connection before others get theirs
+constexpr auto kTurn = std::chrono::milliseconds(1);  // of one connection before others get theirs
 constexpr auto kAcceptPause = std::chrono::milliseconds(100);
 
 const char* StatusWord(Outcome outcome) {
@@ -162,7 +162,7 @@ class Outbox {
     }
     busy_ = true;
     asio::async_write(socket_, asio::buffer(sending_) + sent_,
-                      [this, keep, done](ErrorCode failed, std::size_t) {
+                      [this, keep = std::move(keep), done](ErrorCode failed, std::size_t) {
                         busy_ = false;
                         sending_.clear();
                         sent_ = 0;
@@ -294,8 +294,9 @@ class MorseServer::ServiceConnection
     if (shared_.closed || !socket_.is_open()) return;
     bool more = false;
     serving_ = true;
-    for (int served = 0; !held_back() && outbox_.size() <= shared_.options.most_unread; ++served) {
-      if (served == kRequestsPerTurn) {
+    const auto until = std::chrono::steady_clock::now() + kTurn;
+    while (!held_back() && outbox_.size() <= shared_.options.most_unread) {
+      if (std::chrono::steady_clock::now() > until) {
         more = true;
         break;
       }

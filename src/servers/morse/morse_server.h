@@ -20,7 +20,7 @@ struct MorseServerOptions {
   int first_stream_port = 60000;   ///< streams take the next free ports from here; 0: any free ones
   std::size_t most_clients = 256;  ///< connections to the service port
   std::size_t most_stream_clients = 512;        ///< connections to all stream ports together
-  std::size_t longest_request = 4U << 20;       ///< bytes of one line to the service port
+  std::size_t longest_request = 1U << 20;       ///< bytes of one line to the service port
   std::size_t longest_stream_line = 64U << 10;  ///< bytes of one line to an actuator's stream
   std::size_t most_unread = 16U << 20;          ///< bytes of replies a client may leave unread
 };

@@ -74,19 +74,10 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
                                  ColorArgument(arguments, 4), AlphaArgument(arguments, 7));
                 return Json();
               }});
-  AddService({"get_image_data", {}, [this](Arguments) {
-                if (canvas_.width() * canvas_.height() > kMostListed) {
-                  throw ServiceFailed(
-                      "the canvas has more than 1000000 cells, too many for one "
-                      "message; use get_pixel or save_image_copy");
-                }
-                Json::Array pixels;
-                for (int y = 0; y < canvas_.height(); ++y) {
-                  for (int x = 0; x < canvas_.width(); ++x) {
-                    pixels.push_back(ToJson(canvas_.GetPixel(x, y)));
-                  }
-                }
-                return Json(std::move(pixels));
+  // Written straight to text: as a tree of values a large canvas would hold up the tick.
+  AddService({"get_image_data", {}, nullptr, nullptr, [this]() -> const std::string& {
+                WriteImageData();
+                return image_data_;
               }});
   AddService({"set_image_data", {{"pixels"}}, [this](Arguments arguments) {
                 const Json::Array& pixels = ListArgument(arguments, "pixels");
@@ -134,6 +125,28 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
                   throw ServiceFailed(error.what());
                 }
               }});
+}
+
+void Pen::WriteImageData() {
+  if (canvas_.width() * canvas_.height() > kMostListed) {
+    throw ServiceFailed(
+        "the canvas has more than 1000000 cells, too many for one message; use get_pixel or "
+        "save_image_copy");
+  }
+  image_data_ = "[";
+  for (int y = 0; y < canvas_.height(); ++y) {
+    for (int x = 0; x < canvas_.width(); ++x) {
+      const Color color = canvas_.GetPixel(x, y);
+      image_data_ += image_data_.size() == 1 ? "[" : ", [";
+      AppendJson(image_data_, std::int64_t{color.r});
+      image_data_ += ", ";
+      AppendJson(image_data_, std::int64_t{color.g});
+      image_data_ += ", ";
+      AppendJson(image_data_, std::int64_t{color.b});
+      image_data_ += ']';
+    }
+  }
+  image_data_ += ']';
 }
 
 void Pen::Receive(const Json&) {

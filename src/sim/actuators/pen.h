@@ -17,8 +17,10 @@ class Pen : public Actuator {
 
  private:
   void AppendFields(std::string&) const override {}
+  void WriteImageData();
 
   Canvas& canvas_;
+  std::string image_data_;  // the last answer of get_image_data, JSON
 };
 
 }  // namespace ccmorse::sim
