@@ -34,3 +34,15 @@ function(ccmorse_test name)
     CCMORSE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CCMORSE_BINARY_DIR="${PROJECT_BINARY_DIR}")
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 120)
 endfunction()
+
+# ccmorse_user_program(NAME sources...): a program as users build theirs, over the public headers
+# only and with their flags; the sanitizers of this build have to be in every part of a program.
+function(ccmorse_user_program name)
+  add_executable(${name} ${ARGN})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/include)
+  target_compile_options(${name} PRIVATE -Wall -Wextra -Werror)
+  if(CCMORSE_SANITIZE)
+    target_compile_options(${name} PRIVATE -fsanitize=${CCMORSE_SANITIZE})
+    target_link_options(${name} PRIVATE -fsanitize=${CCMORSE_SANITIZE})
+  endif()
+endfunction()
