@@ -6,9 +6,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
 #include <vector>
-
-#include "base/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -34,7 +35,12 @@ int main(int argc, char** argv) {
     // Named before it runs, so that the last line names the one that ended the program.
     std::printf("%s\n", file.c_str());
     std::fflush(stdout);
-    const std::string text = ccmorse::ReadFile(file.string());
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) {
+      std::fprintf(stderr, "cannot open it\n");
+      return 2;
+    }
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
     // A copy of exactly this size, so that a sanitizer sees a read behind its end.
     const std::vector<std::uint8_t> bytes(text.begin(), text.end());
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());

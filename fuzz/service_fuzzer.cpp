@@ -108,7 +108,8 @@ class Session {
 
   void Do(std::string_view line) {
     if (line.empty()) return Tick();
-    const std::string text = "0 " + std::string(line);
+    std::string text = "0 ";  // an id, as the parser wants one
+    text += line;
     const ccmorse::wire::MorseRequest parsed = ccmorse::wire::ParseMorseRequest(text);
     if (parsed.kind == ccmorse::wire::MorseRequest::Kind::kCancel) {
       for (ccmorse::sim::Component* component : simulation_.components()) component->Interrupt();
