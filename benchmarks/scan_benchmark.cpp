@@ -20,6 +20,7 @@ void ScanFullArena(benchmark::State& state) {
   for (const scene::Box& box : scenario.world.boxes) {
     boxes.Add(BoxCorners(box.pose, box.size_x, box.size_y));
   }
+  boxes.Finish();
   const scene::LaserDef laser;
   sim::PlanarScanner scanner(laser.samples, -Radians(laser.scan_window_deg) / 2.0,
                              Radians(laser.resolution_deg), laser.range);

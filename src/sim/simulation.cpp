@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace ccmorse::sim {
+namespace {
+
+constexpr double kRemembered =
+    0.25;  // m that a robot may move before its surroundings are looked up
+
+}  // namespace
 
 Simulation::Simulation(scene::Scenario scenario)
     : scenario_(std::move(scenario)),
@@ -16,7 +22,9 @@ Simulation::Simulation(scene::Scenario scenario)
   for (const scene::RobotDef& def : defs) {
     robots_.push_back(std::make_unique<Robot>(def, static_cast<int>(robots_.size())));
     seen.push_back(robots_.back().get());
+    fastest_ = std::max(fastest_, robots_.back()->model().max_speed);
   }
+  surroundings_.resize(robots_.size());
   world_.SetRobots(seen);
   for (const auto& robot : robots_) {
     Equip(*robot, scenario_, world_, canvas_);
@@ -49,24 +57,37 @@ void Simulation::Act() {
       }
     }
   }
-  if (physics_) {
-    for (const auto& robot : robots_) {
-      const double reach = robot->footprint().radius + robot->model().max_speed * now.step;
-      const auto add_if_near = [&](const Obstacle& obstacle) {
-        const Vec2 d{obstacle.centre.x - robot->pose().x, obstacle.centre.y - robot->pose().y};
-        const double sum = obstacle.radius + reach;
-        if (Dot(d, d) < sum * sum) in_the_way_.push_back(&obstacle);
-      };
-      in_the_way_.clear();
-      for (const Obstacle& obstacle : world_.obstacles()) add_if_near(obstacle);
-      for (const auto& other : robots_) {
-        if (other != robot) add_if_near(other->outline());
-      }
-      robot->Move(now, in_the_way_);
-    }
-    world_.RobotsMoved();
-  }
+  if (physics_) MoveRobots(now);
   ++tick_;
+}
+
+void Simulation::MoveRobots(const Instant& now) {
+  // Where robots are before anyone moves; in a tick each moves a step at most.
+  circles_.clear();
+  for (const auto& robot : robots_) {
+    circles_.push_back({robot->outline().centre, robot->outline().radius});
+  }
+  robot_grid_.Build(circles_);
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    Robot& robot = *robots_[i];
+    const Vec2 at{robot.pose().x, robot.pose().y};
+    const double step = robot.model().max_speed * now.step;
+    Surroundings& near = surroundings_[i];
+    const Vec2 moved = at - near.centre;
+    if (near.revision != world_.revision() || Dot(moved, moved) > kRemembered * kRemembered) {
+      near.revision = world_.revision();
+      near.centre = at;
+      near.boxes.clear();
+      world_.NearObstacles(at, robot.footprint().radius + step + kRemembered, near.boxes);
+    }
+    in_the_way_.assign(near.boxes.begin(), near.boxes.end());
+    robot_grid_.ForNear(at, robot.footprint().radius + step + fastest_ * now.step,
+                        [this, i](std::uint32_t other) {
+                          if (other != i) in_the_way_.push_back(&robots_[other]->outline());
+                        });
+    robot.Move(now, in_the_way_);
+  }
+  world_.RobotsMoved();
 }
 
 Robot* Simulation::FindRobot(std::string_view name) const {

@@ -62,6 +62,7 @@ class Simulation {
   std::uint64_t Hash() const;
 
  private:
+  void MoveRobots(const Instant& now);
   Instant Now() const { return {tick_, time(), 1.0 / scenario_.time.frequency}; }
 
   scene::Scenario scenario_;
@@ -70,7 +71,18 @@ class Simulation {
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<Component*> components_;
   std::vector<Sensor*> sampled_;
-  std::vector<const Obstacle*> in_the_way_;  // scratch of Act()
+
+  // The boxes that a robot may touch while it is not far from `centre`.
+  struct Surroundings {
+    Vec2 centre;
+    std::uint64_t revision = 0;  // of the world; 0: never looked up
+    std::vector<const Obstacle*> boxes;
+  };
+  std::vector<Surroundings> surroundings_;   // one a robot
+  double fastest_ = 0.0;                     // m/s, of all robots
+  SpatialGrid robot_grid_;                   // where robots were when the tick's motion began
+  std::vector<Circle> circles_;              // scratch
+  std::vector<const Obstacle*> in_the_way_;  // scratch
   std::uint64_t tick_ = 0;
   bool physics_ = true;
 };

@@ -18,6 +18,10 @@ void World::CollectObstacles() {
     const auto corners = BoxCorners(box.pose, box.size_x, box.size_y);
     obstacles_.push_back(Obstacle::Make({corners.begin(), corners.end()}, box.id));
   }
+  std::vector<Circle> circles;
+  for (const Obstacle& obstacle : obstacles_) circles.push_back({obstacle.centre, obstacle.radius});
+  obstacle_grid_.Build(circles);
+  ++revision_;
 }
 
 void World::SetRaised(int box_id, bool raised) {
@@ -40,6 +44,7 @@ void World::FillBoxes(Cut& cut) const {
     if (!box.raised || box.height <= cut.height) continue;
     cut.boxes.Add(BoxCorners(box.pose, box.size_x, box.size_y));
   }
+  cut.boxes.Finish();
 }
 
 World::Cut& World::CutAt(double height) const {
@@ -62,13 +67,11 @@ const PlanarWorld& World::RobotsAt(double height) const {
       for (const Robot* robot : robots_) {
         for (const scene::HullPart& part : robot->model().hull) {
           if (cut->height < part.bottom || cut->height >= part.top) continue;
-          std::vector<Vec2> outline;
-          for (const Vec2 corner : part.outline) {
-            outline.push_back(Transform(robot->pose(), corner));
-          }
-          cut->robots.Add(outline, robot->index());
+          Place(part.outline, robot->pose(), hull_);
+          cut->robots.Add(hull_, robot->index());
         }
       }
+      cut->robots.Finish();
     }
     robots_moved_ = false;
   }

@@ -8,6 +8,7 @@
 #include "scene/scenario.h"
 #include "sim/physics/kinematics.h"
 #include "sim/rays/planar_scan.h"
+#include "sim/spatial_grid.h"
 
 namespace ccmorse::sim {
 
@@ -25,6 +26,15 @@ class World {
 
   /// The boxes that stand, as obstacles to motion.
   std::span<const Obstacle> obstacles() const { return obstacles_; }
+
+  /// Appends those that come within `reach` (m) of `point`. They are valid for one revision().
+  void NearObstacles(Vec2 point, double reach, std::vector<const Obstacle*>& found) const {
+    obstacle_grid_.ForNear(point, reach,
+                           [&](std::uint32_t index) { found.push_back(&obstacles_[index]); });
+  }
+
+  /// Changes whenever a box rises or goes down.
+  std::uint64_t revision() const { return revision_; }
 
   /// The standing boxes cut at `height` (m above the floor). The reference stays valid; its content
   /// follows SetRaised().
@@ -58,9 +68,12 @@ class World {
 
   scene::World scene_;
   std::vector<Obstacle> obstacles_;
+  SpatialGrid obstacle_grid_;  // of obstacles_
+  std::uint64_t revision_ = 0;
   std::vector<const Robot*> robots_;
   mutable std::vector<std::unique_ptr<Cut>> cuts_;  // a handful: one a height that scanners have
   mutable bool robots_moved_ = true;
+  mutable std::vector<Vec2> hull_;  // scratch of RobotsAt()
 };
 
 }  // namespace ccmorse::sim

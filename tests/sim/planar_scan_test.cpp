@@ -89,6 +89,8 @@ TEST(PlanarScan, AgreesWithBruteForceOnRandomScenes) {
       if (Contains(corners, {pose.x, pose.y})) continue;
       (i % 3 == 0 ? moving : fixed).Add(corners, i % 3 == 0 ? i : -1);
     }
+    fixed.Finish();
+    moving.Finish();
     const int count = static_cast<int>(uniform(1, 300));
     const double window = uniform(0.1, 2 * kPi);
     const double step = window / count;
@@ -105,6 +107,7 @@ TEST(PlanarScan, AgreesWithBruteForceInTheSyrotekArena) {
   for (const scene::Box& box : scenario.world.boxes) {
     if (box.raised) boxes.Add(BoxCorners(box.pose, box.size_x, box.size_y));
   }
+  boxes.Finish();
   const scene::LaserDef laser;
   const double first = -Radians(laser.scan_window_deg) / 2.0;
   const double step = Radians(laser.resolution_deg);
@@ -120,6 +123,7 @@ TEST(PlanarScan, AgreesWithBruteForceInTheSyrotekArena) {
 TEST(PlanarScan, ItsOwnRobotIsInvisible) {
   PlanarWorld moving;
   moving.Add(BoxCorners({1.0, 0.0, 0.0}, 0.2, 0.2), 5);
+  moving.Finish();
   PlanarScanner scanner(1, 0.0, 0.1, 4.0);
   std::vector<double> range(1);
   scanner.Scan({}, {}, moving, 5, range);
@@ -133,6 +137,7 @@ TEST(PlanarScan, ABeamWithoutAHitGivesExactlyTheRange) {
   std::vector<double> ranges(3);
   PlanarWorld far_away;
   far_away.Add(BoxCorners({5.2, 0.0, 0.0}, 0.2, 3.0));
+  far_away.Finish();
   scanner.Scan({}, far_away, {}, -1, ranges);
   for (const double range : ranges) EXPECT_EQ(range, 5.0);
 }

@@ -49,6 +49,10 @@ Clock::duration Seconds(double seconds) {
 
 // The system's look-up of names has no time limit, so it runs in a thread that may be left behind.
 std::vector<tcp::endpoint> Resolve(const std::string& host, int port, const std::string& address) {
+  if (host == "localhost") {  // always this machine (RFC 6761), known to its resolver or not
+    const auto number = static_cast<std::uint16_t>(port);
+    return {{asio::ip::address_v4::loopback(), number}, {asio::ip::address_v6::loopback(), number}};
+  }
   struct Answer {
     ErrorCode error;
     std::vector<tcp::endpoint> endpoints;

@@ -52,10 +52,15 @@ Footprint Footprint::Make(std::vector<Vec2> outline) {
 }
 
 std::vector<Vec2> Footprint::At(const Pose2& pose) const {
-  std::vector<Vec2> placed(outline.size());
-  std::transform(outline.begin(), outline.end(), placed.begin(),
-                 [&pose](Vec2 corner) { return Transform(pose, corner); });
+  std::vector<Vec2> placed;
+  Place(outline, pose, placed);
   return placed;
+}
+
+void Obstacle::MoveTo(const Footprint& footprint, const Pose2& pose) {
+  Place(footprint.outline, pose, outline);
+  centre = {pose.x, pose.y};
+  radius = footprint.radius;
 }
 
 bool Collides(const Footprint& footprint, const Pose2& pose,

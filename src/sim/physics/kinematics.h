@@ -19,6 +19,8 @@ struct Obstacle {
   int box_id = 0;             ///< of the scene's box, 0 for a robot
 
   static Obstacle Make(std::vector<Vec2> outline, int box_id);
+  /// Moves the outline of a footprint to `pose`, in the memory it has.
+  void MoveTo(const struct Footprint& footprint, const Pose2& pose);
 };
 
 /// A footprint that moves: corners in its own frame and its circumscribed radius.

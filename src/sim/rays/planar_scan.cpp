@@ -8,6 +8,10 @@
 namespace ccmorse::sim {
 namespace {
 
+constexpr int kBlock = 32;            // beams that share an entry of least_
+constexpr double kRemembered = 0.5;   // m that a sensor may move before FindNear() looks again
+constexpr double kRoughError = 3e-4;  // rad, of RoughAngle()
+
 // inverse[i] = max(inverse[i], a * cosines[i] + b * sines[i]): the whole inner loop. The two builds
 // of it do the same IEEE operations, so they give the same bits.
 #define CCMORSE_RAISE_LOOP                                        \
@@ -57,23 +61,30 @@ double RoughAngle(Vec2 v) {
 void PlanarWorld::Clear() {
   corners_.clear();
   outlines_.clear();
+  circles_.clear();
+  ++revision_;
 }
 
 void PlanarWorld::Add(std::span<const Vec2> outline, int owner) {
-  Outline added{static_cast<std::uint32_t>(corners_.size()),
-                static_cast<std::uint32_t>(outline.size()),
-                {},
-                0.0,
-                owner};
+  Circle around;
   for (const Vec2 corner : outline) {
     corners_.push_back(corner);
-    added.centre = added.centre + (1.0 / static_cast<double>(outline.size())) * corner;
+    around.centre = around.centre + (1.0 / static_cast<double>(outline.size())) * corner;
   }
   for (const Vec2 corner : outline) {
-    const Vec2 d = corner - added.centre;
-    added.radius = std::max(added.radius, std::sqrt(Dot(d, d)));
+    const Vec2 d = corner - around.centre;
+    around.radius = std::max(around.radius, std::sqrt(Dot(d, d)));
   }
-  outlines_.push_back(added);
+  outlines_.push_back({static_cast<std::uint32_t>(corners_.size() - outline.size()),
+                       static_cast<std::uint32_t>(outline.size()), around, owner});
+  circles_.push_back(around);
+  ++revision_;
+}
+
+void PlanarWorld::Finish() { grid_.Build(circles_); }
+
+void PlanarWorld::Near(Vec2 point, double reach, std::vector<std::uint32_t>& found) const {
+  grid_.ForNear(point, reach, [&found](std::uint32_t index) { found.push_back(index); });
 }
 
 PlanarScanner::PlanarScanner(int count, double first_angle, double step, double range)
@@ -82,6 +93,7 @@ PlanarScanner::PlanarScanner(int count, double first_angle, double step, double 
   cosines_.resize(size);
   sines_.resize(size);
   inverse_.resize(size);
+  least_.resize((size + kBlock - 1) / kBlock);
   for (std::size_t i = 0; i < size; ++i) {
     const auto [s, c] = SinCos(first_angle + static_cast<double>(i) * step);
     cosines_[i] = c;
@@ -91,39 +103,101 @@ PlanarScanner::PlanarScanner(int count, double first_angle, double step, double 
 
 void PlanarScanner::Scan(const Pose2& pose, const PlanarWorld& fixed, const PlanarWorld& moving,
                          int self, std::span<double> ranges) {
+  const Vec2 at{pose.x, pose.y};
+  FindNear(at, fixed);
   const double floor = 1.0 / range_;
   std::fill(inverse_.begin(), inverse_.end(), floor);
-  ScanWorld(pose, fixed, self);
-  ScanWorld(pose, moving, self);
+  std::fill(least_.begin(), least_.end(), floor);
+  const auto [s, c] = SinCos(pose.yaw);
+  for (const std::uint32_t index : near_) {
+    ScanOutline(fixed, fixed.outlines()[index], pose, s, c);
+  }
+  near_moving_.clear();
+  moving.Near(at, range_, near_moving_);
+  for (const std::uint32_t index : near_moving_) {
+    const PlanarWorld::Outline& outline = moving.outlines()[index];
+    if (outline.owner < 0 || outline.owner != self) ScanOutline(moving, outline, pose, s, c);
+  }
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     ranges[i] = inverse_[i] > floor ? 1.0 / inverse_[i] : range_;
   }
 }
 
-void PlanarScanner::ScanWorld(const Pose2& pose, const PlanarWorld& world, int self) {
-  const auto [s, c] = SinCos(pose.yaw);
-  for (const PlanarWorld::Outline& outline : world.outlines()) {
-    if (outline.owner >= 0 && outline.owner == self) continue;
-    const Vec2 to_centre = outline.centre - Vec2{pose.x, pose.y};
-    const double reach = range_ + outline.radius;
-    if (Dot(to_centre, to_centre) > reach * reach) continue;
+void PlanarScanner::FindNear(Vec2 at, const PlanarWorld& world) {
+  const Vec2 moved = at - near_at_;
+  if (near_world_ == &world && near_revision_ == world.revision() &&
+      Dot(moved, moved) < kRemembered * kRemembered) {
+    return;
+  }
+  near_world_ = &world;
+  near_revision_ = world.revision();
+  near_at_ = at;
+  near_.clear();
+  world.Near(at, range_ + kRemembered, near_);
+  const auto gap = [&world, at](std::uint32_t index) {
+    const Circle& around = world.outlines()[index].around;
+    const Vec2 d = around.centre - at;
+    return std::sqrt(Dot(d, d)) - around.radius;
+  };
+  std::sort(near_.begin(), near_.end(), [&gap](std::uint32_t a, std::uint32_t b) {
+    const double gap_a = gap(a);
+    const double gap_b = gap(b);
+    return gap_a < gap_b || (gap_a == gap_b && a < b);
+  });
+}
 
-    const std::span<const Vec2> corners = world.Corners(outline);
-    local_.resize(corners.size());
-    angles_.resize(corners.size());
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Vec2 d{corners[i].x - pose.x, corners[i].y - pose.y};
-      local_[i] = {c * d.x + s * d.y, c * d.y - s * d.x};
-      double angle = RoughAngle(local_[i]) - first_angle_;
-      if (angle < 0.0) angle += 2.0 * kPi;
-      if (angle >= 2.0 * kPi) angle -= 2.0 * kPi;
-      angles_[i] = angle;
+// Is everything in the circle (in the sensor's frame) behind what the beams towards it hit already?
+bool PlanarScanner::IsHidden(Vec2 centre, double radius) {
+  const double distance = std::sqrt(Dot(centre, centre));
+  const double gap = distance - radius;
+  if (gap <= 0.01) return false;
+  // asin(q) <= q (pi/2 - 1) q^2 + q for q in [0, 1]; the last terms cover the rough angle's error.
+  const double q = radius / distance;
+  const double half = q + (kPi / 2.0 - 1.0) * q * q * q + 2.0 * kRoughError;
+  double middle = RoughAngle(centre) - first_angle_;
+  if (middle < 0.0) middle += 2.0 * kPi;
+  const double nearest =
+      1.0 / (gap - 1e-6);  // a little nearer than it is, so rounding is no matter
+  const auto covered = [this, nearest](double from, double to) {
+    const int low = std::max(static_cast<int>(std::floor(from / step_)), 0);
+    const int high = std::min(static_cast<int>(std::ceil(to / step_)), count_ - 1);
+    for (int block = low / kBlock; block * kBlock <= high; ++block) {
+      double& least = least_[static_cast<std::size_t>(block)];
+      if (least == 0.0) {
+        const auto first = inverse_.begin() + block * kBlock;
+        const auto last = inverse_.begin() + std::min((block + 1) * kBlock, count_);
+        least = *std::min_element(first, last);
+      }
+      if (least < nearest) return false;
     }
-    // Outlines run counter-clockwise, so from outside an edge's end lies to the right of its start.
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const std::size_t next = i + 1 == corners.size() ? 0 : i + 1;
-      RasteriseEdge(local_[next], local_[i], angles_[next], angles_[i]);
-    }
+    return true;
+  };
+  return covered(middle - half, middle + half) &&
+         (middle + half < 2.0 * kPi || covered(0.0, middle + half - 2.0 * kPi)) &&
+         (middle - half > 0.0 || covered(middle - half + 2.0 * kPi, 2.0 * kPi));
+}
+
+void PlanarScanner::ScanOutline(const PlanarWorld& world, const PlanarWorld::Outline& outline,
+                                const Pose2& pose, double sine, double cosine) {
+  const auto to_local = [&pose, sine, cosine](Vec2 point) {
+    const Vec2 d{point.x - pose.x, point.y - pose.y};
+    return Vec2{cosine * d.x + sine * d.y, cosine * d.y - sine * d.x};
+  };
+  if (IsHidden(to_local(outline.around.centre), outline.around.radius)) return;
+  const std::span<const Vec2> corners = world.Corners(outline);
+  local_.resize(corners.size());
+  angles_.resize(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    local_[i] = to_local(corners[i]);
+    double angle = RoughAngle(local_[i]) - first_angle_;
+    if (angle < 0.0) angle += 2.0 * kPi;
+    if (angle >= 2.0 * kPi) angle -= 2.0 * kPi;
+    angles_[i] = angle;
+  }
+  // Outlines run counter-clockwise, so from outside an edge's end lies to the right of its start.
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::size_t next = i + 1 == corners.size() ? 0 : i + 1;
+    RasteriseEdge(local_[next], local_[i], angles_[next], angles_[i]);
   }
 }
 
@@ -166,6 +240,9 @@ void PlanarScanner::Cover(int low, int high, Vec2 right, Vec2 left, double a, do
   if (low > high) return;
   const auto at = static_cast<std::size_t>(low);
   kRaise(&inverse_[at], &cosines_[at], &sines_[at], a, b, high - low + 1);
+  for (int block = low / kBlock; block <= high / kBlock; ++block) {
+    least_[static_cast<std::size_t>(block)] = 0.0;
+  }
 }
 
 }  // namespace ccmorse::sim

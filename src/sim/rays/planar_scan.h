@@ -5,24 +5,33 @@
 #include <vector>
 
 #include "base/pose.h"
+#include "sim/spatial_grid.h"
 
 namespace ccmorse::sim {
 
 /// The world cut at one height: convex outlines, as a scanner at that height meets them.
-/// Plain data; reading is thread safe.
+/// Reading is thread safe.
 class PlanarWorld {
  public:
   struct Outline {
     std::uint32_t first = 0;  ///< index of its first corner
     std::uint32_t count = 0;  ///< corners, >= 3
-    Vec2 centre;              ///< m, of a circle around it
-    double radius = 0.0;      ///< m
+    Circle around;            ///< all of it
     int owner = -1;           ///< robot whose hull it is, -1 for a box of the world
   };
 
   void Clear();
   /// Adds a convex outline, counter-clockwise, m. Keeps a copy.
   void Add(std::span<const Vec2> outline, int owner = -1);
+
+  /// To be called when all outlines are added, before the first scan.
+  void Finish();
+
+  /// Changes whenever the content may have.
+  std::uint64_t revision() const { return revision_; }
+
+  /// Appends the indexes of all outlines that come within `reach` (m) of `point`.
+  void Near(Vec2 point, double reach, std::vector<std::uint32_t>& found) const;
 
   std::span<const Outline> outlines() const { return outlines_; }
   std::span<const Vec2> Corners(const Outline& outline) const {
@@ -32,12 +41,16 @@ class PlanarWorld {
  private:
   std::vector<Vec2> corners_;
   std::vector<Outline> outlines_;
+  std::vector<Circle> circles_;  // of the outlines
+  SpatialGrid grid_;
+  std::uint64_t revision_ = 0;
 };
 
 /// A planar range scanner's fan of beams and its beam buffer (design: Rays). No ray is traced: each
 /// front-facing edge is rasterised into the buffer of beams as 1/range, which is linear in the
-/// beam's direction, and the nearest wins. Exact up to rounding; the same on every instruction set.
-/// One thread at a time may scan with one object.
+/// beam's direction, and the nearest wins. Outlines come nearest first, and one that lies behind
+/// what already covers all its beams is skipped. Exact up to rounding; the same on every
+/// instruction set. One thread at a time may scan with one object.
 class PlanarScanner {
  public:
   /// `count` beams, the first at `first_angle` (rad, in the sensor's frame), then counter-clockwise
@@ -53,12 +66,16 @@ class PlanarScanner {
   }
 
   /// Distances along all beams, m, (count), of a sensor at `pose`, to the outlines of `fixed` and
-  /// `moving` that are not `self`'s own.
+  /// `moving` that are not `self`'s own. Both are finished. What lies near in `fixed` is remembered
+  /// from scan to scan, by its address and revision.
   void Scan(const Pose2& pose, const PlanarWorld& fixed, const PlanarWorld& moving, int self,
             std::span<double> ranges);
 
  private:
-  void ScanWorld(const Pose2& pose, const PlanarWorld& world, int self);
+  void FindNear(Vec2 at, const PlanarWorld& world);
+  void ScanOutline(const PlanarWorld& world, const PlanarWorld::Outline& outline, const Pose2& pose,
+                   double sine, double cosine);
+  bool IsHidden(Vec2 centre, double radius);
   void RasteriseEdge(Vec2 right, Vec2 left, double right_angle, double left_angle);
   void Cover(int low, int high, Vec2 right, Vec2 left, double a, double b);
 
@@ -69,8 +86,14 @@ class PlanarScanner {
   std::vector<double> cosines_;  // of the beams, (count)
   std::vector<double> sines_;
   std::vector<double> inverse_;  // 1/m, nearest so far, (count)
-  std::vector<Vec2> local_;      // corners of one outline in the sensor's frame, scratch
-  std::vector<double> angles_;   // their rough angles from the first beam, rad, 0..2 pi, scratch
+  std::vector<double> least_;    // 1/m, the least of each block of inverse_, or 0: not known
+  const PlanarWorld* near_world_ = nullptr;  // of which near_ was made, at
+  std::uint64_t near_revision_ = 0;          // this revision,
+  Vec2 near_at_;                             // for scans around here
+  std::vector<std::uint32_t> near_;          // outlines of the fixed world, nearest first
+  std::vector<std::uint32_t> near_moving_;   // scratch
+  std::vector<Vec2> local_;     // corners of one outline in the sensor's frame, scratch
+  std::vector<double> angles_;  // their rough angles from the first beam, rad, 0..2 pi, scratch
 };
 
 }  // namespace ccmorse::sim

@@ -42,7 +42,7 @@ void Robot::Move(const Instant& now, std::span<const Obstacle* const> obstacles)
     pose_ = moved.pose;
     tally_.distance += moved.driven;
     stalled_ = moved.blocked;
-    outline_ = Obstacle::Make(footprint_.At(pose_), 0);
+    outline_.MoveTo(footprint_, pose_);
   }
   if (stalled_) {
     twist_ = {};
@@ -61,7 +61,7 @@ void Robot::Place(const Pose2& pose) {
   twist_ = {};
   command_ = {};
   stalled_ = false;
-  outline_ = Obstacle::Make(footprint_.At(pose_), 0);
+  outline_.MoveTo(footprint_, pose_);
 }
 
 void Robot::Reset() {
