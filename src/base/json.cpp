@@ -1,5 +1,6 @@
 #include "base/json.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -34,7 +35,8 @@ void AppendUtf8(std::string& out, std::uint32_t code) {
   }
 }
 
-// Decodes the UTF-8 sequence at text[i] and moves i past it; a byte that starts none is U+FFFD.
+// Decodes the UTF-8 sequence at text[i] and moves i past it; a byte that starts none is U+FFFD. Too
+// long a form of a character, half a surrogate pair and what lies beyond Unicode are none.
 std::uint32_t NextCodePoint(std::string_view text, std::size_t& i) {
   const auto at = [text](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned char lead = at(i);
@@ -52,8 +54,38 @@ std::uint32_t NextCodePoint(std::string_view text, std::size_t& i) {
     }
     code = (code << 6) | (at(i + k) & 0x3FU);
   }
+  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  if (code < kLeast[length] || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) {
+    ++i;
+    return 0xFFFD;
+  }
   i += length;
   return code;
+}
+
+// The text with U+FFFD for what is no UTF-8, so that it is written and read back the same.
+std::string Mended(std::string text) {
+  if (std::none_of(text.begin(), text.end(), [](char c) { return (c & 0x80) != 0; })) return text;
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) AppendUtf8(out, NextCodePoint(text, i));
+  return out;
+}
+
+// Whether a number that no double can hold is too large, not too small: where its first digit
+// other than 0 stands, together with the exponent, decides.
+bool IsTooLarge(std::string_view number) {
+  const std::size_t e = std::min(number.find_first_of("eE"), number.size());
+  const std::string_view mantissa = number.substr(0, e);
+  const auto point = static_cast<std::int64_t>(std::min(mantissa.find('.'), e));
+  const auto first = static_cast<std::int64_t>(mantissa.find_first_of("123456789"));
+  std::int64_t exponent = 0;
+  if (e < number.size()) {
+    std::string_view digits = number.substr(e + 1);
+    if (digits.front() == '+') digits.remove_prefix(1);
+    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    if (parsed.ec != std::errc{}) return digits.front() != '-';
+  }
+  return exponent > first - point;
 }
 
 void AppendEscaped(std::string& out, std::uint32_t unit) {
@@ -198,9 +230,8 @@ class JsonParser {
     double value = 0.0;
     if (std::from_chars(first, last, value).ec == std::errc::result_out_of_range) {
       // Too large or too small for a double: infinity or zero, as Python reads it.
-      const bool huge = std::string_view(first, last).find("e-") == std::string_view::npos &&
-                        std::string_view(first, last).find("E-") == std::string_view::npos;
-      value = huge ? std::numeric_limits<double>::infinity() : 0.0;
+      value =
+          IsTooLarge(std::string_view(first, last)) ? std::numeric_limits<double>::infinity() : 0.0;
       if (*first == '-') value = -value;
     }
     return Json(value);
@@ -230,7 +261,7 @@ class JsonParser {
       const char c = text_[at_];
       if (c == '"') {
         ++at_;
-        return out;
+        return Mended(std::move(out));
       }
       if (c != '\\') Fail("Invalid control character at", at_);
       ParseEscape(out, start);

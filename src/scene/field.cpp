@@ -75,20 +75,21 @@ bool IsContinuationByte(char c) { return (static_cast<unsigned char>(c) & 0xC0U)
 
 }  // namespace
 
-std::string Quoted(std::string_view text) {
+std::string Printable(std::string_view text) {
   constexpr std::size_t kLongest = 64;
   std::size_t length = std::min(text.size(), kLongest);
   // Not in the middle of a UTF-8 character.
   while (length > 0 && length < text.size() && IsContinuationByte(text[length])) --length;
-  std::string out = "'";
+  std::string out;
   for (const char c : text.substr(0, length)) {
     const auto byte = static_cast<unsigned char>(c);
     out.push_back(byte < 0x20 || byte == 0x7F ? '?' : c);
   }
   if (length < text.size()) out += "...";
-  out.push_back('\'');
   return out;
 }
+
+std::string Quoted(std::string_view text) { return "'" + Printable(text) + "'"; }
 
 std::string Listed(std::span<const std::string> names) {
   std::string out;
@@ -253,7 +254,8 @@ Field ObjectReader::Require(const std::string& key) {
     object_.FailHere(fmt::format(
         "lacks '{}'{}", key, meant.empty() ? "" : fmt::format("; is {} meant?", Quoted(meant))));
   }
-  const std::string path = object_.path().empty() ? key : object_.path() + "." + key;
+  const std::string name = Printable(key);
+  const std::string path = object_.path().empty() ? name : object_.path() + "." + name;
   return {*value, path, object_.file()};
 }
 

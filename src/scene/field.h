@@ -96,6 +96,9 @@ class ObjectReader {
   std::set<std::string> asked_;
 };
 
+/// The text for a message: on one line, cut where it is long.
+std::string Printable(std::string_view text);
+
 /// 'text' for a message: in quotes, on one line, cut where it is long.
 std::string Quoted(std::string_view text);
 

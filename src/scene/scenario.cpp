@@ -61,6 +61,10 @@ World ReadWorldChoice(const Field& field) {
   ObjectReader reader(field);
   const Field name = reader.Require("file");
   reader.Finish();
+  if (std::any_of(name.Text().begin(), name.Text().end(),
+                  [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; })) {
+    name.FailHere(fmt::format("is {}, which no file is called", Quoted(name.Text())));
+  }
   const std::filesystem::path folder = std::filesystem::path(field.file()).parent_path();
   const std::filesystem::path path = folder / name.Text();
   try {

@@ -63,7 +63,7 @@ Box ReadBox(const Field& field, const std::map<std::string, Look>& kinds) {
     const auto found = kinds.find(box.kind);
     if (found == kinds.end()) {
       std::vector<std::string> names;
-      for (const auto& entry : kinds) names.push_back(entry.first);
+      for (const auto& entry : kinds) names.push_back(Printable(entry.first));
       kind.FailHere(fmt::format("is {}, must be one of {}{}", Quoted(box.kind), Listed(names),
                                 DidYouMean(box.kind, names)));
     }

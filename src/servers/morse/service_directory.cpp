@@ -52,6 +52,8 @@ std::string ArityComplaint(const Service& service, std::size_t given) {
          (given == 0 ? " was" : " were") + " given";
 }
 
+constexpr double kFarthest = 1000.0;  // m, as in a scenario; more is a mistake in the unit
+
 Vec3 PointArgument(Arguments arguments, std::size_t index, const char* name) {
   const Json& value = arguments[index];
   if (!value.IsArray() || value.AsArray().size() != 3) {
@@ -332,6 +334,9 @@ Json ServiceDirectory::SceneObjects() const {
 void ServiceDirectory::PlaceObject(Arguments arguments) {
   const std::string& name = sim::StringArgument(arguments, 0, "object_name");
   const Vec3 position = PointArgument(arguments, 1, "position");
+  if (std::fabs(position.x) > kFarthest || std::fabs(position.y) > kFarthest) {
+    throw WrongArgument("position must lie within 1000 m of the origin");
+  }
   sim::Robot* robot = simulation_.FindRobot(name);
   if (robot == nullptr) {
     if (SceneObjects().Find(name) != nullptr) {

@@ -53,9 +53,13 @@ Waypoint::Target Waypoint::TargetFrom(Arguments arguments) {
   target.z = NumberArgument(arguments, 2, "z");
   target.tolerance = NumberArgument(arguments, 3, "tolerance", 0.5);
   target.speed = NumberArgument(arguments, 4, "speed", 1.0);
+  Check(target);
+  return target;
+}
+
+void Waypoint::Check(const Target& target) {
   if (target.tolerance < 0.0) throw WrongArgument("tolerance must not be negative");
   if (target.speed < 0.0) throw WrongArgument("speed must not be negative");
-  return target;
 }
 
 void Waypoint::Receive(const Json& message) {
@@ -65,6 +69,7 @@ void Waypoint::Receive(const Json& message) {
   target.tolerance =
       message.Find("tolerance") != nullptr ? NumberMember(message, "tolerance") : 0.5;
   target.speed = message.Find("speed") != nullptr ? NumberMember(message, "speed") : 1.0;
+  Check(target);
   DriveTo(target);
 }
 

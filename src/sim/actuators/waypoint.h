@@ -32,6 +32,7 @@ class Waypoint : public Actuator {
 
   void AppendFields(std::string& out) const override;
   static Target TargetFrom(Arguments arguments);
+  static void Check(const Target& target);  // throws WrongArgument
   void DriveTo(const Target& target);
   void Finish(Outcome outcome, const char* text);
   bool Arrived() const;

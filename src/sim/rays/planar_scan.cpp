@@ -150,7 +150,7 @@ void PlanarScanner::FindNear(Vec2 at, const PlanarWorld& world) {
 bool PlanarScanner::IsHidden(Vec2 centre, double radius) {
   const double distance = std::sqrt(Dot(centre, centre));
   const double gap = distance - radius;
-  if (gap <= 0.01) return false;
+  if (!(gap > 0.01)) return false;
   // asin(q) <= q (pi/2 - 1) q^2 + q for q in [0, 1]; the last terms cover the rough angle's error.
   const double q = radius / distance;
   const double half = q + (kPi / 2.0 - 1.0) * q * q * q + 2.0 * kRoughError;
@@ -159,8 +159,11 @@ bool PlanarScanner::IsHidden(Vec2 centre, double radius) {
   const double nearest =
       1.0 / (gap - 1e-6);  // a little nearer than it is, so rounding is no matter
   const auto covered = [this, nearest](double from, double to) {
-    const int low = std::max(static_cast<int>(std::floor(from / step_)), 0);
-    const int high = std::min(static_cast<int>(std::ceil(to / step_)), count_ - 1);
+    // Held within the fan before they become integers: steps may be as fine as they like.
+    const int low =
+        static_cast<int>(std::min<double>(count_, std::max(std::floor(from / step_), 0.0)));
+    const int high =
+        static_cast<int>(std::min(std::max(std::ceil(to / step_), -1.0), count_ - 1.0));
     for (int block = low / kBlock; block * kBlock <= high; ++block) {
       double& least = least_[static_cast<std::size_t>(block)];
       if (least == 0.0) {
@@ -210,8 +213,10 @@ void PlanarScanner::RasteriseEdge(Vec2 right, Vec2 left, double right_angle, dou
   // cross(r d, left - right) = area, so 1/r = d.x * a + d.y * b:
   const double a = (left.y - right.y) / area;
   const double b = (right.x - left.x) / area;
-  const int low = static_cast<int>(std::ceil(right_angle / step_));
-  const int high = static_cast<int>(std::floor(left_angle / step_));
+  // Held behind the last beam: with tiny steps, no int would hold the quotient.
+  const double behind = count_ + 1.0;
+  const int low = static_cast<int>(std::min(behind, std::ceil(right_angle / step_)));
+  const int high = static_cast<int>(std::min(behind, std::floor(left_angle / step_)));
   if (left_angle >= right_angle || high - low > count_) {
     Cover(low, high, right, left, a, b);
   } else if (right_angle - left_angle > kPi) {  // the edge crosses the direction of the first beam
