@@ -31,7 +31,8 @@ class SpatialGrid {
     const int right = Column(point.x + farthest);
     const int top = Row(point.y + farthest);
     for (int row = Row(point.y - farthest); row <= top; ++row) {
-      const std::uint32_t* const starts = &starts_[static_cast<std::size_t>(row * columns_)];
+      const std::uint32_t* const starts =
+          &starts_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_)];
       for (std::uint32_t i = starts[left]; i < starts[right + 1]; ++i) {
         const Circle& circle = circles_[items_[i]];
         const Vec2 d = circle.centre - point;

@@ -167,9 +167,8 @@ bool PlanarScanner::IsHidden(Vec2 centre, double radius) {
     for (int block = low / kBlock; block * kBlock <= high; ++block) {
       double& least = least_[static_cast<std::size_t>(block)];
       if (least == 0.0) {
-        const auto first = inverse_.begin() + block * kBlock;
-        const auto last = inverse_.begin() + std::min((block + 1) * kBlock, count_);
-        least = *std::min_element(first, last);
+        const double* const first = &inverse_[static_cast<std::size_t>(block * kBlock)];
+        least = *std::min_element(first, first + std::min(kBlock, count_ - block * kBlock));
       }
       if (least < nearest) return false;
     }
