@@ -167,7 +167,8 @@ bool PlanarScanner::IsHidden(Vec2 centre, double radius) {
     for (int block = low / kBlock; block * kBlock <= high; ++block) {
       double& least = least_[static_cast<std::size_t>(block)];
       if (least == 0.0) {
-        const double* const first = &inverse_[static_cast<std::size_t>(block * kBlock)];
+        const double* const first =
+            &inverse_[static_cast<std::size_t>(block) * std::size_t{kBlock}];
         least = *std::min_element(first, first + std::min(kBlock, count_ - block * kBlock));
       }
       if (least < nearest) return false;
