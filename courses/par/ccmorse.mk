@@ -2,8 +2,9 @@
 #
 # Looked for in this order:
 #   1. CCMORSE_DIR, if it is set: a source tree, or the folder that CCMorse was installed under;
-#   2. what `pkg-config ccmorse` finds, if CCMorse is installed;
-#   3. the source tree that this file is part of.
+#   2. the installed tree that this file is part of;
+#   3. what `pkg-config ccmorse` finds, if CCMorse is installed;
+#   4. the source tree that this file is part of.
 # A source tree's libraries are taken from build/release/lib; set CCMORSE_LIBDIR for another build.
 #
 # Sets, in the names that the course's Makefiles have always used:
@@ -15,6 +16,11 @@
 
 CCMORSE_MK_DIR := $(dir $(abspath $(lastword $(MAKEFILE_LIST))))
 
+ifeq ($(strip $(CCMORSE_DIR)),)
+  ifneq ($(wildcard $(CCMORSE_MK_DIR)../../../../include/libCCMorse/CCMorse.h),)
+    CCMORSE_DIR := $(abspath $(CCMORSE_MK_DIR)../../../..)
+  endif
+endif
 ifeq ($(strip $(CCMORSE_DIR)),)
   ifeq ($(shell pkg-config --exists ccmorse 2>/dev/null && echo yes),yes)
     CCMORSE_INCLUDEDIR := $(shell pkg-config --variable=includedir ccmorse)
@@ -32,6 +38,11 @@ ifneq ($(strip $(CCMORSE_DIR)),)
     $(strip $(CCMORSE_DIR))/lib/*/libCCMorse.so \
     $(strip $(CCMORSE_DIR))/lib/libCCMorse.so))) \
     $(strip $(CCMORSE_DIR))/build/release/lib)
+endif
+
+ifeq ($(wildcard $(CCMORSE_INCLUDEDIR)/libCCMorse/CCMorse.h),)
+  $(error CCMorse is not in $(CCMORSE_INCLUDEDIR); set CCMORSE_DIR to its source tree or to where \
+    it is installed: make CCMORSE_DIR=/path/to/ccmorse)
 endif
 
 # The run-time path lets a program find the library without LD_LIBRARY_PATH.

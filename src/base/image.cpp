@@ -15,7 +15,13 @@ namespace ccmorse {
 static_assert(sizeof(Color) == 3, "rows of Color are handed to libpng as packed RGB");
 
 void WritePng(const Image& image, const std::string& path) {
-  const std::string temporary = path + ".tmp" + std::to_string(::getpid());
+  // A link is followed, and what is no plain file (a device) is written to as it is.
+  std::error_code unknown;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(path, unknown);
+  const bool special = std::filesystem::exists(target, unknown) &&
+                       !std::filesystem::is_regular_file(target, unknown);
+  const std::string temporary =
+      special ? target.string() : target.string() + ".tmp" + std::to_string(::getpid());
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   png.width = static_cast<png_uint_32>(image.width);
@@ -24,11 +30,12 @@ void WritePng(const Image& image, const std::string& path) {
   errno = 0;
   if (png_image_write_to_file(&png, temporary.c_str(), 0, image.pixels.data(), 0, nullptr) == 0) {
     const std::string reason = errno != 0 ? std::strerror(errno) : png.message;
-    std::remove(temporary.c_str());
+    if (!special) std::remove(temporary.c_str());
     throw Error("cannot write " + path + ": " + reason);
   }
+  if (special) return;
   std::error_code failed;
-  std::filesystem::rename(temporary, path, failed);
+  std::filesystem::rename(temporary, target, failed);
   if (failed) {
     std::remove(temporary.c_str());
     throw Error("cannot write " + path + ": " + failed.message());

@@ -82,13 +82,14 @@ std::vector<std::string> WorldFolders() {
   if (const char* const chosen = std::getenv("CCMORSE_WORLDS"); chosen != nullptr && *chosen) {
     folders.emplace_back(chosen);
   }
-  folders.emplace_back(CCMORSE_SOURCE_WORLDS);
+  // An installed program's own worlds come before those of the tree it was built from.
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
     const fs::path prefix = program.parent_path().parent_path();
     folders.push_back((prefix / "share" / "ccmorse" / "worlds").string());
   }
+  folders.emplace_back(CCMORSE_SOURCE_WORLDS);
   folders.emplace_back(CCMORSE_INSTALL_WORLDS);
   return folders;
 }

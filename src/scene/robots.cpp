@@ -50,8 +50,22 @@ RobotModel S1r() {
   return model;
 }
 
+// A plain box on two wheels with the S1R's scanner: the robot of the fleet benchmark, as small as
+// the ones that other simulators were measured with.
+RobotModel BoxRobot() {
+  RobotModel model = S1r();
+  model.type = "BoxRobot";
+  model.length = 0.17;
+  model.width = 0.16;
+  model.footprint = {{0.085, -0.08}, {0.085, 0.08}, {-0.085, 0.08}, {-0.085, -0.08}};
+  model.hull = {{model.footprint, model.ground_clearance, model.ground_clearance + model.height}};
+  model.laser.position = {0.03, 0.0, 0.0};
+  return model;
+}
+
 const std::map<std::string, RobotModel>& Models() {
-  static const std::map<std::string, RobotModel> models = {{"S1R", S1r()}};
+  static const std::map<std::string, RobotModel> models = {{"BoxRobot", BoxRobot()},
+                                                           {"S1R", S1r()}};
   return models;
 }
 

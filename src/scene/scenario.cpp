@@ -339,8 +339,10 @@ TimeDef ReadTime(const Field& field) {
   time.strategy = reader.Choice("strategy", time.strategy, strategies);
   if (time.strategy == "best_effort") time.strategy = "realtime";
   if (time.strategy == "fixed_simulation_step") time.strategy = "max";
-  time.factor = reader.Number("factor", time.factor, {0.0, 1000.0, true});
-  time.read_frequency = reader.Number("read_frequency", time.read_frequency, {0.0, 1000.0, true});
+  time.factor = reader.Number("factor", time.factor, {0.001, 1000.0});
+  // A read brings what a tick has sensed, so there are at most as many as ticks.
+  time.read_frequency = reader.Number(
+      "read_frequency", std::min(time.read_frequency, time.frequency), {0.01, time.frequency});
   reader.Finish();
   return time;
 }

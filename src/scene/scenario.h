@@ -103,8 +103,8 @@ struct TimeDef {
   /// Pace: "realtime", "lockstep" or "max". A file may say as MORSE does: "best_effort" for
   /// realtime, "fixed_simulation_step" for max.
   std::string strategy = "realtime";
-  double factor = 1.0;           ///< simulated seconds per wall second in real time, (0, 1000]
-  double read_frequency = 10.0;  ///< how often a client's Read() gets data, Hz, > 0
+  double factor = 1.0;           ///< simulated seconds per wall second in real time, 0.001..1000
+  double read_frequency = 10.0;  ///< how often a client's Read() gets data, Hz, 0.01..frequency
 };
 
 /// Everything a run starts from. The defaults are those of an empty file: the SyRoTek arena with
@@ -133,8 +133,8 @@ Json ToJson(const Scenario& scenario);
 
 /// Where `name` is found: a path that exists; else NAME.json in a folder of worlds/ (NAME may be
 /// written folder/NAME, and a folder's own name means the scenario of that name in it). Looks in
-/// $CCMORSE_WORLDS, the source tree it was built from, ../share/ccmorse/worlds from the program's
-/// folder, and where it was to be installed. Throws Error that names the places looked at and the
+/// $CCMORSE_WORLDS, ../share/ccmorse/worlds from the program's folder, the source tree it was built
+/// from, and where it was to be installed. Throws Error that names the places looked at and the
 /// scenarios there are.
 std::string FindScenario(const std::string& name);
 

@@ -125,7 +125,7 @@ void Runner::WaitForTurn() {
       io_.restart();
       for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
       }
-      while (!stop_ && !morse_.ClientsAreWaiting()) io_.run_one();
+      while (!stop_ && !morse_.ClientsAreWaiting(options_.clients)) io_.run_one();
       return;
     case Pace::kMax:
       io_.restart();

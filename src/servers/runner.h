@@ -25,6 +25,7 @@ struct RunOptions {
   Pace pace = Pace::kRealTime;
   double factor = 1.0;   ///< simulated seconds per wall second in real time, > 0
   double seconds = 0.0;  ///< simulated time to run, s; 0: until stopped
+  int clients = 1;       ///< lock-step: time starts when this many clients read
   MorseServerOptions morse;
 };
 

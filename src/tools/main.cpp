@@ -1,17 +1,20 @@
 // The `ccmorse` program: reads the command line and hands over to the sub-command.
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <string>
 
 #include "base/error.h"
+#include "tools/fleet_bench.h"
 #include "tools/run_command.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"ccmorse - robots for programs written for Player, MORSE and SyRoTek", "ccmorse"};
   app.set_version_flag("--version", std::string("ccmorse ") + CCMORSE_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.footer(
       "Examples:\n"
       "  ccmorse run syrotek                      the SyRoTek arena with one S1R, in real time\n"
@@ -28,6 +31,11 @@ int main(int argc, char** argv) {
   run_command->add_flag("--headless", run.headless,
                         "without any view; the only way so far, so it changes nothing");
   run_command
+      ->add_option("--clients", run.clients,
+                   "in lock-step, time starts when this many clients read  [1]")
+      ->check(CLI::Range(1, 256))
+      ->type_name("N");
+  run_command
       ->add_option("--pace", run.pace,
                    "real: wall-clock time; lockstep: time waits for the clients' next Read(); "
                    "max: as fast as possible  [what the scenario says, else real]")
@@ -37,6 +45,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.001, 1e9))
       ->type_name("SECONDS");
   run_command->add_option("--seed", run.seed, "of all random numbers  [the scenario's]")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
       ->type_name("N");
   run_command->add_option("--port", run.port, "of MORSE's services; 0 takes any free one  [4000]")
       ->check(CLI::Range(0, 65535))
@@ -63,13 +72,31 @@ int main(int argc, char** argv) {
 
   CLI::App* const list_command = app.add_subcommand("list", "list the scenarios");
 
+  CLI::App* const bench_command = app.add_subcommand("bench", "measure this machine's speed");
+  bench_command->require_subcommand(1);
+  ccmorse::tools::FleetArguments fleet;
+  CLI::App* const fleet_command =
+      bench_command->add_subcommand("fleet", "many robots with lasers, each in its own arena");
+  fleet_command->add_option("--robots", fleet.robots, "how many  [100]")
+      ->check(CLI::Range(1, 10000))
+      ->type_name("N");
+  fleet_command->add_option("--seconds", fleet.seconds, "simulated time  [10]")
+      ->check(CLI::Range(0.1, 1e6))
+      ->type_name("S");
+  fleet_command->add_flag("--json", fleet.json, "one JSON object instead of a table");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   }
   try {
+    if (app.get_subcommands().empty()) {
+      std::fputs(app.help().c_str(), stdout);
+      return 0;
+    }
     if (list_command->parsed()) return ccmorse::tools::ListScenarios();
+    if (fleet_command->parsed()) return ccmorse::tools::BenchFleet(fleet);
     return ccmorse::tools::Run(run);
   } catch (const ccmorse::Error& error) {
     std::fprintf(stderr, "ccmorse: %s\n", error.what());

@@ -4,7 +4,11 @@
 #include <unistd.h>
 
 #include <boost/asio/signal_set.hpp>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -25,12 +29,20 @@ servers::Pace PaceFrom(const RunArguments& arguments, const scene::Scenario& sce
   return servers::Pace::kRealTime;
 }
 
-// Makes the folder that a file is to be written into, so that a long run cannot fail at its end.
-void PrepareFolderOf(const std::string& file) {
+// Makes the folder that a file is to be written into and tries to write there, so that a long run
+// cannot fail at its end.
+void PrepareFile(const std::string& file) {
+  if (file.empty()) return;
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   std::error_code failed;
   if (!folder.empty()) std::filesystem::create_directories(folder, failed);
   if (failed) throw Error("cannot make the folder for " + file + ": " + failed.message());
+  const bool existed = std::filesystem::exists(file, failed);
+  errno = 0;
+  if (!std::ofstream(file, std::ios::app)) {
+    throw Error("cannot write " + file + ": " + std::strerror(errno));
+  }
+  if (!existed) std::filesystem::remove(file, failed);
 }
 
 struct LaserUse {
@@ -114,16 +126,19 @@ void WritePicture(const sim::Simulation& simulation, const std::string& path) {
 int Run(const RunArguments& arguments) {
   if (arguments.quiet) SetLogLevel(LogLevel::kError);
   scene::Scenario scenario = scene::LoadScenario(scene::FindScenario(arguments.scenario));
-  if (arguments.seed) scenario.seed = *arguments.seed;
+  if (!std::isfinite(arguments.seconds)) throw Error("--for must be a number of seconds");
+  if (arguments.seed) scenario.seed = static_cast<std::uint64_t>(*arguments.seed);
 
   servers::RunOptions options;
   options.pace = PaceFrom(arguments, scenario);
   options.factor = scenario.time.factor;
   options.seconds = arguments.seconds;
+  options.clients = arguments.clients;
   options.morse.bind = arguments.bind;
   options.morse.port = arguments.port;
   options.morse.first_stream_port = arguments.stream_port;
-  for (const std::string& file : {arguments.picture, arguments.report}) PrepareFolderOf(file);
+  PrepareFile(arguments.picture);
+  PrepareFile(arguments.report);
   std::error_code failed;
   std::filesystem::create_directories(arguments.out, failed);
   if (failed) throw Error("cannot make the folder " + arguments.out + ": " + failed.message());
@@ -132,7 +147,7 @@ int Run(const RunArguments& arguments) {
   simulation.canvas().set_picture_folder(arguments.out);
   servers::Runner runner(simulation, options);
 
-  boost::asio::signal_set signals(runner.io(), SIGINT, SIGTERM);
+  boost::asio::signal_set signals(runner.io(), SIGINT, SIGTERM, SIGHUP);
   signals.async_wait([&runner](boost::system::error_code error, int) {
     if (!error) runner.Stop();
   });
@@ -143,22 +158,27 @@ int Run(const RunArguments& arguments) {
                simulation.robots().size(), simulation.robots().size() == 1 ? "" : "s",
                simulation.scenario().seed, servers::PaceName(options.pace));
     fmt::print("MORSE services on {} port {}\n", arguments.bind, runner.morse().port());
+    const auto [first_stream, last_stream] = runner.morse().stream_ports();
+    if (first_stream != 0) fmt::print("Streams on ports {} to {}\n", first_stream, last_stream);
     if (options.pace == servers::Pace::kLockstep) {
-      fmt::print("Lock-step: time starts with a client's first Read()\n");
+      fmt::print("Lock-step: time starts when {}\n",
+                 options.clients == 1 ? "a client reads"
+                                      : fmt::format("{} clients read", options.clients));
     }
     fmt::print("SCENE INITIALIZED\n");
     std::fflush(stdout);
   }
   const servers::RunSummary summary = runner.Run();
+  runner.morse().Close();  // the ports are free while the picture is made
 
+  if (!arguments.quiet) PrintReport(simulation, runner.morse(), summary);
   if (!arguments.report.empty()) {
     const std::string text = ReportJson(simulation, runner.morse(), summary, options.pace).Dump();
     std::ofstream file(arguments.report);
     if (!(file << text << "\n") || !file.flush()) {
-      throw Error("cannot write " + arguments.report);
+      throw Error("cannot write " + arguments.report + ": " + std::strerror(errno));
     }
   }
-  if (!arguments.quiet) PrintReport(simulation, runner.morse(), summary);
   if (!arguments.picture.empty()) {
     WritePicture(simulation, arguments.picture);
     if (!arguments.quiet) fmt::print("picture      {}\n", arguments.picture);

@@ -10,11 +10,12 @@ namespace ccmorse::tools {
 struct RunArguments {
   std::string scenario;  ///< name or path
   bool headless = false;
-  std::optional<std::string> pace;  ///< "real", "lockstep" or "max"
-  double seconds = 0.0;             ///< simulated; 0: until stopped
-  std::optional<std::uint64_t> seed;
-  int port = 4000;          ///< 0: any free one
-  int stream_port = 60000;  ///< 0: any free ones
+  std::optional<std::string> pace;   ///< "real", "lockstep" or "max"
+  double seconds = 0.0;              ///< simulated; 0: until stopped
+  std::optional<std::int64_t> seed;  ///< >= 0
+  int clients = 1;                   ///< lock-step: wait for so many
+  int port = 4000;                   ///< 0: any free one
+  int stream_port = 60000;           ///< 0: any free ones
   std::string bind = "127.0.0.1";
   std::string out = ".";  ///< folder for pictures that clients save
   std::string picture;    ///< PNG of the arena from above at the end; "": none

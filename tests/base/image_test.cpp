@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <filesystem>
 
 #include "base/error.h"
 
@@ -18,6 +19,20 @@ TEST(Image, PngRoundTripKeepsEveryPixel) {
   EXPECT_EQ(back.height, 2);
   EXPECT_EQ(back.pixels, image.pixels);
   std::remove(path.c_str());
+}
+
+TEST(Image, ALinkIsFollowedAndADeviceStaysADevice) {
+  const std::string target = ::testing::TempDir() + "ccmorse_image_target.png";
+  const std::string link = ::testing::TempDir() + "ccmorse_image_link.png";
+  std::filesystem::remove(link);
+  std::filesystem::create_symlink(target, link);
+  WritePng({1, 1, {{5, 6, 7}}}, link);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(ReadPng(target).pixels[0], (Color{5, 6, 7}));
+  std::filesystem::remove(link);
+  std::filesystem::remove(target);
+  WritePng({1, 1, {{5, 6, 7}}}, "/dev/null");
+  EXPECT_FALSE(std::filesystem::is_regular_file("/dev/null"));
 }
 
 TEST(Image, AFolderThatIsNotThereIsAnErrorThatNamesThePath) {

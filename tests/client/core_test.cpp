@@ -74,7 +74,8 @@ TEST(K03, RefusedConnectionNamesHostPortAndFunction) {
   const MorseError error = ErrorOf([&] { MorseClient::Share("localhost", port); });
   EXPECT_LT(SecondsOf(start), 2.0);
   EXPECT_EQ(error.GetErrorStr(), "cannot connect to localhost:" + std::to_string(port) +
-                                     ": Connection refused; is the simulator running?");
+                                     ": Connection refused; is the simulator running? (ccmorse "
+                                     "listens on port 4000 by default)");
   EXPECT_EQ(error.GetErrorFun(), "MorseClient::MorseClient()");
   EXPECT_EQ(error.GetErrorCode(), -1);
   EXPECT_FALSE(error.SimulationEnded());

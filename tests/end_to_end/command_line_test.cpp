@@ -112,6 +112,38 @@ TEST(CommandLine, TheReportIsJson) {
   EXPECT_EQ(parsed.Find("robots")->AsObject().size(), 13U);
 }
 
+TEST(CommandLine, AReportThatCannotBeWrittenIsSaidBeforeTheRun) {
+  for (const char* option : {"--report", "--picture"}) {
+    const Finished run = RunToEnd({kCcmorse, "run", "syrotek", "--pace", "max", "--port", "0",
+                                   "--stream-port", "0", option, "/proc/no/such/file"});
+    ExpectOneLine(run, {"/proc/no/such/file"});
+  }
+}
+
+TEST(CommandLine, NumbersThatMakeNoSenseAreRefused) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--for", "nan"},
+                                                {"--seed", "-1"},
+                                                {"--seed", "99999999999999999999"},
+                                                {"--port", "70000"},
+                                                {"--clients", "0"}}) {
+    std::vector<std::string> command = {kCcmorse, "run", "syrotek", "--pace", "max", "--for", "1"};
+    command.insert(command.end(), words.begin(), words.end());
+    EXPECT_NE(RunToEnd(command).status, 0) << words[0] << " " << words[1];
+  }
+}
+
+TEST(CommandLine, TheFleetBenchmarkIsRepeatable) {
+  const auto hash = [](const std::string& text) {
+    return Json::Parse(text).Find("hash")->AsString();
+  };
+  const std::vector<std::string> command = {kCcmorse, "bench",     "fleet", "--robots",
+                                            "20",     "--seconds", "5",     "--json"};
+  const Finished first = RunToEnd(command);
+  ASSERT_EQ(first.status, 0) << first.output;
+  EXPECT_EQ(Json::Parse(first.output).Find("contacts")->AsInt(), 0);
+  EXPECT_EQ(hash(first.output), hash(RunToEnd(command).output));
+}
+
 TEST(W11, ThirteenRobotsRunFromTheirDocks) { EXPECT_EQ(RunScenario("docks").status, 0); }
 
 TEST(CommandLine, EveryListedScenarioRuns) {

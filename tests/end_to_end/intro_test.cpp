@@ -62,6 +62,24 @@ TEST(Determinism, TwoRunsOverTcpAreEqualBitForBit) {
   EXPECT_EQ(first.picture.pixels, second.picture.pixels);
 }
 
+TEST(Determinism, TwoProgramsInLockstepAreEqualWhenTimeWaitsForBoth) {
+  const auto run = [] {
+    const TemporaryFolder folder;
+    const std::string report = folder.path() + "/report.json";
+    Simulator simulator(
+        {"two_robots", "--pace", "lockstep", "--for", "20", "--clients", "2", "--report", report});
+    const std::string port = std::to_string(simulator.port());
+    Process one({BuiltProgram("intro"), "--port", port});
+    Process two(
+        {BuiltProgram("intro"), "--port", port, "--laser-index", "10", "--position2d-index", "10"});
+    EXPECT_EQ(one.Wait(), 0) << one.output();
+    EXPECT_EQ(two.Wait(), 0) << two.output();
+    EXPECT_EQ(simulator.process().Wait(), 0);
+    return *Json::Parse(ReadFile(report)).Find("hash");
+  };
+  EXPECT_EQ(run(), run());
+}
+
 TEST(X43, TheLogHasTheListingsLines) {
   const Outcome outcome = RunIntro("course_map", 2);
   const std::string number = R"(-?[0-9.]+(e-?[0-9]+)?)";

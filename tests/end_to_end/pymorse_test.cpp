@@ -13,7 +13,7 @@ constexpr const char* kPython = "/usr/bin/python3";
 // pymorse's close() is broken on Python 3.8 and later unless it does not wait for publishers.
 constexpr const char* kScript = R"(
 import sys, pymorse
-m = pymorse.Morse('localhost', int(sys.argv[1]))
+m = pymorse.Morse('127.0.0.1', int(sys.argv[1]))
 assert m.robots == ['s1r'], m.robots
 before = m.s1r.pose.get(timeout=10)
 m.s1r.motion.publish({'v': 0.2, 'w': 0.0})

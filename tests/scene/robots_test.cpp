@@ -146,12 +146,13 @@ TEST(R13, PoseOdometryAndScannerHaveProxies) {
 }
 
 TEST(RobotModels, UnknownTypeNamesTheKnownOnes) {
-  EXPECT_EQ(RobotTypes(), std::vector<std::string>{"S1R"});
+  EXPECT_EQ(RobotTypes(), (std::vector<std::string>{"BoxRobot", "S1R"}));
   try {
     FindRobotModel("S2R");
     FAIL() << "must throw";
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "unknown robot type 'S2R', known: S1R; did you mean 'S1R'?");
+    EXPECT_STREQ(error.what(),
+                 "unknown robot type 'S2R', known: BoxRobot, S1R; did you mean 'S1R'?");
   }
 }
 

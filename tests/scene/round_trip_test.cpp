@@ -118,7 +118,7 @@ RC_GTEST_PROP(C02, WhatToJsonWritesReadsBackTheSame, ()) {
   scenario.time.frequency = Real(1.0, 1000.0);
   scenario.time.strategy = *rc::gen::element<std::string>("realtime", "lockstep", "max");
   scenario.time.factor = Real(0.001, 1000.0);
-  scenario.time.read_frequency = Real(0.001, 1000.0);
+  scenario.time.read_frequency = Real(0.01, scenario.time.frequency);
   scenario.seed = static_cast<std::uint64_t>(*rc::gen::inRange<std::int64_t>(0, INT64_MAX));
 
   const std::string text = ToJson(scenario).Dump();

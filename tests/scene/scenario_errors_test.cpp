@@ -97,7 +97,7 @@ TEST(ScenarioErrors, NumbersOutOfRange) {
   EXPECT_EQ(ErrorInLine2(R"("time": {"frequency": 0})"),
             "scene.json:2: time.frequency is 0, must be 1..1000");
   EXPECT_EQ(ErrorInLine2(R"("time": {"factor": 0})"),
-            "scene.json:2: time.factor is 0, must be more than 0 and at most 1000");
+            "scene.json:2: time.factor is 0, must be 0.001..1000");
   EXPECT_EQ(ErrorInLine2(R"("canvas": {"alpha": 1.01})"),
             "scene.json:2: canvas.alpha is 1.01, must be 0..1");
   EXPECT_EQ(ErrorInLine2(R"("canvas": {"alpha": -0.5})"),
@@ -155,8 +155,9 @@ TEST(ScenarioErrors, Obstacles) {
 }
 
 TEST(ScenarioErrors, UnknownNames) {
-  EXPECT_EQ(ErrorInRobot(R"("type": "S2R")"),
-            "scene.json:2: robots[0].type is 'S2R', must be 'S1R'; did you mean 'S1R'?");
+  EXPECT_EQ(
+      ErrorInRobot(R"("type": "S2R")"),
+      "scene.json:2: robots[0].type is 'S2R', must be 'BoxRobot' or 'S1R'; did you mean 'S1R'?");
   EXPECT_EQ(ErrorInRobot(R"("proxies": {"position2d": {"0": "pos"}})"),
             "scene.json:2: robots[0].proxies.position2d.0 is 'pos', must be one of 'pose' and "
             "'odometry'; did you mean 'pose'?");

@@ -155,7 +155,7 @@ TEST_F(AbuseTest, APortInUseIsNamed) {
   options.first_stream_port = 0;
   sim::Simulation simulation(scene::ParseScenario("{}", "test.json"));
   try {
-    const Runner second(simulation, {Pace::kMax, 1.0, 1.0, options});
+    const Runner second(simulation, {Pace::kMax, 1.0, 1.0, 1, options});
     ADD_FAILURE() << "two simulations on one port";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find(std::to_string(served_.port())), std::string::npos);

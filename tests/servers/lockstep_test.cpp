@@ -62,6 +62,19 @@ TEST(Lockstep, TimeWaitsForTheSlowestClient) {
   EXPECT_NEAR(TimeOf(two.ReadLine().value()), 0.1, 1e-12);
 }
 
+TEST(Lockstep, TimeStartsWhenAsManyClientsAsAskedForRead) {
+  ServedSimulation served("{}", Pace::kLockstep, 0.0, {}, 2);
+  LineClient one(served.port());
+  EXPECT_EQ(TimeOf(one.Ask("1 ccmorse read")), 0.0);
+  one.Send("2 ccmorse read\n");
+  EXPECT_FALSE(one.ReadLine(std::chrono::milliseconds(100)));
+  LineClient two(served.port());
+  EXPECT_EQ(TimeOf(two.Ask("1 ccmorse read")), 0.0);
+  two.Send("2 ccmorse read\n");
+  EXPECT_NEAR(TimeOf(one.ReadLine().value()), 0.1, 1e-12);
+  EXPECT_NEAR(TimeOf(two.ReadLine().value()), 0.1, 1e-12);
+}
+
 TEST(Lockstep, AClientThatDiesIsNotWaitedFor) {
   ServedSimulation served("{}", Pace::kLockstep);
   LineClient one(served.port());

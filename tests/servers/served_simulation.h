@@ -15,9 +15,10 @@ namespace ccmorse::servers {
 class ServedSimulation {
  public:
   explicit ServedSimulation(const std::string& scenario, Pace pace = Pace::kRealTime,
-                            double seconds = 0.0, const MorseServerOptions& limits = {})
+                            double seconds = 0.0, const MorseServerOptions& limits = {},
+                            int clients = 1)
       : simulation_(scene::ParseScenario(scenario, "test.json")),
-        runner_(simulation_, Options(pace, seconds, limits)),
+        runner_(simulation_, Options(pace, seconds, limits, clients)),
         port_(runner_.morse().port()),
         thread_([this] { summary_ = runner_.Run(); }) {}
 
@@ -37,10 +38,10 @@ class ServedSimulation {
   MorseServer& server() { return runner_.morse(); }
 
  private:
-  static RunOptions Options(Pace pace, double seconds, MorseServerOptions limits) {
+  static RunOptions Options(Pace pace, double seconds, MorseServerOptions limits, int clients) {
     limits.port = 0;
     limits.first_stream_port = 0;
-    return {pace, 1.0, seconds, limits};
+    return {pace, 1.0, seconds, clients, limits};
   }
 
   sim::Simulation simulation_;

@@ -43,7 +43,8 @@ Clock::duration Seconds(double seconds) {
 }
 
 [[noreturn]] void ThrowConnect(const std::string& address, const std::string& reason) {
-  throw MorseError("cannot connect to " + address + ": " + reason + "; is the simulator running?",
+  throw MorseError("cannot connect to " + address + ": " + reason +
+                       "; is the simulator running? (ccmorse listens on port 4000 by default)",
                    kConnectFunction);
 }
 

@@ -223,6 +223,7 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
   std::set<std::shared_ptr<ServiceConnection>> connections;
   std::vector<std::shared_ptr<StreamPort>> streams;
   std::size_t stream_clients = 0;
+  int readers_ever = 0;  // connections that have sent a read
   bool sensed_once = false;
   std::uint64_t sensed_tick = 0;  // of the last Sense()
   std::string ended;              // why reads fail, once the run is over
@@ -421,6 +422,7 @@ class MorseServer::ServiceConnection
       read_id_ = std::string(request.id);
       if (!joined_) {
         joined_ = true;
+        ++shared_.readers_ever;
         // The first read gets what the sensors show now, or will show first.
         next_read_ = shared_.sensed_once ? shared_.ReadAt(shared_.sensed_tick) : 0;
       } else if (shared_.pace.name != "lockstep") {
@@ -704,7 +706,9 @@ MorseServer::MorseServer(asio::io_context& io, sim::Simulation& simulation, RunC
   }
 }
 
-MorseServer::~MorseServer() {
+MorseServer::~MorseServer() { Close(); }
+
+void MorseServer::Close() {
   shared_->closed = true;
   shared_->listener->Close();
   for (const auto& stream : shared_->streams) stream->Close();
@@ -716,6 +720,15 @@ MorseServer::~MorseServer() {
 }
 
 int MorseServer::port() const { return shared_->listener->port(); }
+
+std::pair<int, int> MorseServer::stream_ports() const {
+  if (shared_->streams.empty()) return {0, 0};
+  std::pair<int, int> range{65536, 0};
+  for (const auto& stream : shared_->streams) {
+    range = {std::min(range.first, stream->port()), std::max(range.second, stream->port())};
+  }
+  return range;
+}
 
 void MorseServer::Sensed() {
   shared_->sensed_once = true;
@@ -736,8 +749,8 @@ void MorseServer::ApplyStreams() {
 
 void MorseServer::TimeAdvanced() { shared_->directory.TimeAdvanced(); }
 
-bool MorseServer::ClientsAreWaiting() const {
-  return HasReaders() &&
+bool MorseServer::ClientsAreWaiting(int clients) const {
+  return HasReaders() && shared_->readers_ever >= clients &&
          std::all_of(shared_->connections.begin(), shared_->connections.end(),
                      [](const auto& c) { return !c->reads() || c->read_outstanding(); });
 }

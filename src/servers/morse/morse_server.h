@@ -44,6 +44,10 @@ class MorseServer {
   ~MorseServer();
 
   int port() const;
+  /// Lowest and highest port of the streams; 0 and 0 without any.
+  std::pair<int, int> stream_ports() const;
+  /// Stops listening and lets all clients go, so that the ports are free.
+  void Close();
 
   /// After Simulation::Sense(): sends the streams, and answers each `read` whose time has come.
   void Sensed();
@@ -52,8 +56,9 @@ class MorseServer {
   /// After Simulation::Act().
   void TimeAdvanced();
 
-  /// Lock-step: has every client that reads asked for its next data, and is there one at all?
-  bool ClientsAreWaiting() const;
+  /// Lock-step: has every client that reads asked for its next data, is there one at all, and have
+  /// `clients` of them ever come? So a run of several programs starts when the last has joined.
+  bool ClientsAreWaiting(int clients) const;
   /// Has any client ever sent a `read` and not yet left?
   bool HasReaders() const;
   /// Answers every `read`, now and from now on, with FAILED `reason`.

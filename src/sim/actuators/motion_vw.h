@@ -16,9 +16,11 @@ class MotionVW : public Actuator {
   void AddToHash(StateHash&) const override {}  // the robot's speed counts
   void Reset() override;
 
+  /// The command, as from a client. Precondition: finite.
+  void SetSpeed(const Twist& speed);
+
  private:
   void AppendFields(std::string& out) const override;
-  void SetSpeed(const Twist& speed);
 
   Twist speed_;
 };

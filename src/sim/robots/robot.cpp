@@ -72,8 +72,8 @@ void Robot::Reset() {
 }
 
 void Equip(Robot& robot, const scene::Scenario& scenario, const World& world, Canvas& canvas) {
-  // One line a type of robot; scene::FindRobotModel has refused all others.
-  if (robot.def().type == "S1R") EquipS1R(robot, scenario, world, canvas);
+  // Both types there are carry the S1R's devices; scene::FindRobotModel has refused all others.
+  EquipS1R(robot, scenario, world, canvas);
 }
 
 }  // namespace ccmorse::sim
