@@ -41,7 +41,7 @@ ifneq ($(strip $(CCMORSE_DIR)),)
 endif
 
 ifeq ($(wildcard $(CCMORSE_INCLUDEDIR)/libCCMorse/CCMorse.h),)
-  $(error CCMorse is not in $(CCMORSE_INCLUDEDIR); set CCMORSE_DIR to its source tree or to where \
+  $(warning CCMorse is not in $(CCMORSE_INCLUDEDIR); set CCMORSE_DIR to its source tree or to where \
     it is installed: make CCMORSE_DIR=/path/to/ccmorse)
 endif
 

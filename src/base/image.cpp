@@ -17,7 +17,10 @@ static_assert(sizeof(Color) == 3, "rows of Color are handed to libpng as packed 
 void WritePng(const Image& image, const std::string& path) {
   // A link is followed, and what is no plain file (a device) is written to as it is.
   std::error_code unknown;
-  const std::filesystem::path target = std::filesystem::weakly_canonical(path, unknown);
+  std::filesystem::path target = path;
+  for (int links = 0; links < 16 && std::filesystem::is_symlink(target, unknown); ++links) {
+    target = target.parent_path() / std::filesystem::read_symlink(target, unknown);
+  }
   const bool special = std::filesystem::exists(target, unknown) &&
                        !std::filesystem::is_regular_file(target, unknown);
   const std::string temporary =

@@ -1,10 +1,10 @@
 // The `ccmorse` program: reads the command line and hands over to the sub-command.
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <limits>
 #include <string>
 
 #include "base/error.h"
@@ -45,7 +45,13 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.001, 1e9))
       ->type_name("SECONDS");
   run_command->add_option("--seed", run.seed, "of all random numbers  [the scenario's]")
-      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()))
+      ->check([](const std::string& text) -> std::string {
+        std::int64_t value = 0;  // CLI11 itself takes what is too large for the largest there is
+        const char* const end = text.data() + text.size();
+        const auto read = std::from_chars(text.data(), end, value);
+        const bool fine = read.ec == std::errc{} && read.ptr == end && value >= 0;
+        return fine ? "" : text + " is no whole number from 0 to 9223372036854775807";
+      })
       ->type_name("N");
   run_command->add_option("--port", run.port, "of MORSE's services; 0 takes any free one  [4000]")
       ->check(CLI::Range(0, 65535))
