@@ -155,9 +155,9 @@ TEST(ScenarioErrors, Obstacles) {
 }
 
 TEST(ScenarioErrors, UnknownNames) {
-  EXPECT_EQ(
-      ErrorInRobot(R"("type": "S2R")"),
-      "scene.json:2: robots[0].type is 'S2R', must be one of 'BoxRobot' and 'S1R'; did you mean 'S1R'?");
+  EXPECT_EQ(ErrorInRobot(R"("type": "S2R")"),
+            "scene.json:2: robots[0].type is 'S2R', must be one of 'BoxRobot' and 'S1R'; did you "
+            "mean 'S1R'?");
   EXPECT_EQ(ErrorInRobot(R"("proxies": {"position2d": {"0": "pos"}})"),
             "scene.json:2: robots[0].proxies.position2d.0 is 'pos', must be one of 'pose' and "
             "'odometry'; did you mean 'pose'?");
