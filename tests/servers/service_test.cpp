@@ -61,6 +61,8 @@ TEST_F(ServiceTest, EveryErrorAnswerOfTheProtocolsTable) {
        R"~(1 FAILED "Socket service manager: wrong # of parameters for service setdest. setdest() takes from 4 to 6 positional arguments but 7 were given")~"},
       {"1 s1r.motion set_speed [\"a\", 1]",
        R"~(1 FAILED "Socket service manager: wrong parameter type for service set_speed. v must be a number, not a string")~"},
+      {"1 s1r.waypoint goto [\"a\", 1, 2]",
+       R"~(1 FAILED "Socket service manager: wrong # of parameters for service goto. x must be a number, not a string")~"},
       {"1 s1r.motion set_speed [NaN, 1]",
        R"~(1 FAILED "Socket service manager: wrong parameter type for service set_speed. v must be finite, not NaN")~"},
       {"1 simulation get_stream_port [\"nobody\"]",

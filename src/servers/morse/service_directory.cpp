@@ -145,7 +145,10 @@ void ServiceDirectory::Call(std::string_view component, std::string_view service
   } catch (const ServiceFailed& error) {
     fail(error.what());
   } catch (const WrongArgument& error) {
-    fail("Socket service manager: wrong parameter type for service " + name + ". " + error.what());
+    // MORSE cannot tell the two apart in an asynchronous service, and its clients know it so.
+    fail(std::string("Socket service manager: wrong ") +
+         (found->start ? "# of parameters" : "parameter type") + " for service " + name + ". " +
+         error.what());
   }
 }
 
