@@ -22,6 +22,20 @@ double GapAlongNormals(std::span<const Vec2> a, std::span<const Vec2> b) {
   return best;
 }
 
+// Does one of a's edges have all of b on its outer side? Decided as GapAlongNormals() would.
+bool EdgeSeparates(std::span<const Vec2> a, std::span<const Vec2> b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec2 from = a[i];
+    const Vec2 edge = a[i + 1 == a.size() ? 0 : i + 1] - from;
+    bool outside = true;
+    for (std::size_t k = 0; outside && k < b.size(); ++k) {
+      outside = Cross(b[k] - from, edge) >= 0.0;
+    }
+    if (outside) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Vec2 Transform(const Pose2& frame, Vec2 point) {
@@ -55,7 +69,9 @@ double ConvexGap(std::span<const Vec2> a, std::span<const Vec2> b) {
   return std::max(GapAlongNormals(a, b), GapAlongNormals(b, a));
 }
 
-bool ConvexOverlap(std::span<const Vec2> a, std::span<const Vec2> b) { return ConvexGap(a, b) < 0; }
+bool ConvexOverlap(std::span<const Vec2> a, std::span<const Vec2> b) {
+  return !EdgeSeparates(a, b) && !EdgeSeparates(b, a);
+}
 
 bool Contains(std::span<const Vec2> polygon, Vec2 point) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -14,12 +14,11 @@ Component::Component(Robot& robot, const std::string& name, std::string type, do
       frequency_(frequency) {}
 
 bool Component::TakeDue(const Instant& now, double base_frequency) {
-  const double due = static_cast<double>(activations_) * base_frequency / frequency_;
-  if (static_cast<double>(now.tick) + 1e-9 < due) return false;
+  if (now.tick < next_tick_) return false;
   // Faster than the tick, or switched off for a while: the ones missed are not made up for.
-  activations_ = static_cast<std::uint64_t>(std::floor(
-                     static_cast<double>(now.tick) * frequency_ / base_frequency + 1e-9)) +
-                 1;
+  const double ticks = base_frequency / frequency_;
+  const double next = std::floor(static_cast<double>(now.tick) / ticks + 1e-9) + 1.0;
+  next_tick_ = static_cast<std::uint64_t>(std::ceil(next * ticks - 1e-9));
   return true;
 }
 
@@ -35,7 +34,7 @@ const std::string& Component::LocalData() {
 }
 
 void Component::Reset() {
-  activations_ = 0;
+  next_tick_ = 0;
   timestamp_ = 0.0;
   text_valid_ = false;
 }

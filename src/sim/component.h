@@ -84,7 +84,7 @@ class Component {
   std::string type_;
   double frequency_;
   bool active_ = true;
-  std::uint64_t activations_ = 0;
+  std::uint64_t next_tick_ = 0;  // of its next activation
   double timestamp_ = 0.0;
   bool text_valid_ = false;
   std::string text_;

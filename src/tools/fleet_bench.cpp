@@ -60,7 +60,8 @@ scene::Scenario MakeFleet(int robots) {
   scenario.name = "fleet";
   const int columns = static_cast<int>(std::ceil(std::sqrt(robots)));
   for (int i = 0; i < robots; ++i) {
-    const Vec2 corner{i % columns * kPitchX, i / columns * kPitchY};
+    const int row = i / columns;
+    const Vec2 corner{i % columns * kPitchX, row * kPitchY};
     AddArena(corner, scenario.world.boxes);
     scene::RobotDef robot;
     robot.name = fmt::format("r{:05}", i);

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
+#include <tuple>
 
 #include "base/trig.h"
 
 namespace ccmorse::sim {
 namespace {
 
-constexpr int kBlock = 32;            // beams that share an entry of least_
-constexpr double kRemembered = 0.5;   // m that a sensor may move before FindNear() looks again
-constexpr double kRoughError = 3e-4;  // rad, of RoughAngle()
+constexpr std::size_t kCheckEvery = 8;  // outlines, between looks at the farthest hit
+constexpr int kBlock = 32;              // beams that share an entry of work_->least
+constexpr double kRemembered = 0.5;     // m that a sensor may move before FindNear() looks again
+constexpr double kRoughError = 3e-4;    // rad, of RoughAngle()
 
 // inverse[i] = max(inverse[i], a * cosines[i] + b * sines[i]): the whole inner loop. The two builds
 // of it do the same IEEE operations, so they give the same bits.
@@ -87,39 +91,72 @@ void PlanarWorld::Near(Vec2 point, double reach, std::vector<std::uint32_t>& fou
   grid_.ForNear(point, reach, [&found](std::uint32_t index) { found.push_back(index); });
 }
 
+struct PlanarScanner::Fan {
+  Fan(int count, double first_angle, double step) {
+    for (int i = 0; i < count; ++i) {
+      const auto [s, c] = SinCos(first_angle + static_cast<double>(i) * step);
+      cosines.push_back(c);
+      sines.push_back(s);
+    }
+  }
+  std::vector<double> cosines;  // of the beams' angles in the sensor's frame, (count)
+  std::vector<double> sines;
+};
+
+struct PlanarScanner::Work {
+  std::vector<double> inverse;  // 1/m, nearest so far, (count)
+  std::vector<double> least;    // 1/m, the least of each block of inverse, or 0: not known
+  std::vector<std::uint32_t> near_moving;
+  std::vector<Vec2> local;     // corners of one outline in the sensor's frame
+  std::vector<double> angles;  // their rough angles from the first beam, rad, 0..2 pi
+};
+
 PlanarScanner::PlanarScanner(int count, double first_angle, double step, double range)
     : count_(count), first_angle_(first_angle), step_(step), range_(range) {
-  const auto size = static_cast<std::size_t>(count);
-  cosines_.resize(size);
-  sines_.resize(size);
-  inverse_.resize(size);
-  least_.resize((size + kBlock - 1) / kBlock);
-  for (std::size_t i = 0; i < size; ++i) {
-    const auto [s, c] = SinCos(first_angle + static_cast<double>(i) * step);
-    cosines_[i] = c;
-    sines_[i] = s;
-  }
+  // Thousands of scanners alike would otherwise fill the processor's caches with the same numbers.
+  using Key = std::tuple<int, double, double>;
+  static std::mutex mutex;
+  static std::map<Key, std::weak_ptr<const Fan>> fans;
+  const std::lock_guard lock(mutex);
+  std::weak_ptr<const Fan>& known = fans[{count, first_angle, step}];
+  fan_ = known.lock();
+  if (!fan_) known = fan_ = std::make_shared<const Fan>(count, first_angle, step);
+}
+
+Vec2 PlanarScanner::Direction(int i) const {
+  const auto index = static_cast<std::size_t>(i);
+  return {fan_->cosines[index], fan_->sines[index]};
 }
 
 void PlanarScanner::Scan(const Pose2& pose, const PlanarWorld& fixed, const PlanarWorld& moving,
                          int self, std::span<double> ranges) {
+  thread_local Work work;
+  work_ = &work;
+  work.inverse.resize(static_cast<std::size_t>(count_));
+  work.least.resize((work.inverse.size() + kBlock - 1) / kBlock);
   const Vec2 at{pose.x, pose.y};
   FindNear(at, fixed);
   const double floor = 1.0 / range_;
-  std::fill(inverse_.begin(), inverse_.end(), floor);
-  std::fill(least_.begin(), least_.end(), floor);
+  std::fill(work_->inverse.begin(), work_->inverse.end(), floor);
+  std::fill(work_->least.begin(), work_->least.end(), floor);
   const auto [s, c] = SinCos(pose.yaw);
-  for (const std::uint32_t index : near_) {
-    ScanOutline(fixed, fixed.outlines()[index], pose, s, c);
+  const Vec2 moved = at - near_at_;
+  const double since = std::sqrt(Dot(moved, moved));
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    // They come nearest first: once one lies behind all that is hit, so do the rest.
+    if (i % kCheckEvery == kCheckEvery - 1 && Farthest() < near_gaps_[i] - since - 1e-6) {
+      break;
+    }
+    ScanOutline(fixed, fixed.outlines()[near_[i]], pose, s, c);
   }
-  near_moving_.clear();
-  moving.Near(at, range_, near_moving_);
-  for (const std::uint32_t index : near_moving_) {
+  work_->near_moving.clear();
+  moving.Near(at, range_, work_->near_moving);
+  for (const std::uint32_t index : work_->near_moving) {
     const PlanarWorld::Outline& outline = moving.outlines()[index];
     if (outline.owner < 0 || outline.owner != self) ScanOutline(moving, outline, pose, s, c);
   }
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    ranges[i] = inverse_[i] > floor ? 1.0 / inverse_[i] : range_;
+    ranges[i] = work_->inverse[i] > floor ? 1.0 / work_->inverse[i] : range_;
   }
 }
 
@@ -144,6 +181,26 @@ void PlanarScanner::FindNear(Vec2 at, const PlanarWorld& world) {
     const double gap_b = gap(b);
     return gap_a < gap_b || (gap_a == gap_b && a < b);
   });
+  near_gaps_.resize(near_.size());
+  std::transform(near_.begin(), near_.end(), near_gaps_.begin(), gap);
+}
+
+double PlanarScanner::Least(int block) {
+  double& least = work_->least[static_cast<std::size_t>(block)];
+  if (least == 0.0) {
+    const double* const first =
+        &work_->inverse[static_cast<std::size_t>(block) * std::size_t{kBlock}];
+    least = *std::min_element(first, first + std::min(kBlock, count_ - block * kBlock));
+  }
+  return least;
+}
+
+double PlanarScanner::Farthest() {
+  double least = Least(0);
+  for (int block = 1; block < static_cast<int>(work_->least.size()); ++block) {
+    least = std::min(least, Least(block));
+  }
+  return 1.0 / least;
 }
 
 // Is everything in the circle (in the sensor's frame) behind what the beams towards it hit already?
@@ -165,13 +222,7 @@ bool PlanarScanner::IsHidden(Vec2 centre, double radius) {
     const int high =
         static_cast<int>(std::min(std::max(std::ceil(to / step_), -1.0), count_ - 1.0));
     for (int block = low / kBlock; block * kBlock <= high; ++block) {
-      double& least = least_[static_cast<std::size_t>(block)];
-      if (least == 0.0) {
-        const double* const first =
-            &inverse_[static_cast<std::size_t>(block) * std::size_t{kBlock}];
-        least = *std::min_element(first, first + std::min(kBlock, count_ - block * kBlock));
-      }
-      if (least < nearest) return false;
+      if (Least(block) < nearest) return false;
     }
     return true;
   };
@@ -188,19 +239,19 @@ void PlanarScanner::ScanOutline(const PlanarWorld& world, const PlanarWorld::Out
   };
   if (IsHidden(to_local(outline.around.centre), outline.around.radius)) return;
   const std::span<const Vec2> corners = world.Corners(outline);
-  local_.resize(corners.size());
-  angles_.resize(corners.size());
+  work_->local.resize(corners.size());
+  work_->angles.resize(corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    local_[i] = to_local(corners[i]);
-    double angle = RoughAngle(local_[i]) - first_angle_;
+    work_->local[i] = to_local(corners[i]);
+    double angle = RoughAngle(work_->local[i]) - first_angle_;
     if (angle < 0.0) angle += 2.0 * kPi;
     if (angle >= 2.0 * kPi) angle -= 2.0 * kPi;
-    angles_[i] = angle;
+    work_->angles[i] = angle;
   }
   // Outlines run counter-clockwise, so from outside an edge's end lies to the right of its start.
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const std::size_t next = i + 1 == corners.size() ? 0 : i + 1;
-    RasteriseEdge(local_[next], local_[i], angles_[next], angles_[i]);
+    RasteriseEdge(work_->local[next], work_->local[i], work_->angles[next], work_->angles[i]);
   }
 }
 
@@ -244,9 +295,9 @@ void PlanarScanner::Cover(int low, int high, Vec2 right, Vec2 left, double a, do
   while (low <= high && Cross(Direction(high), left) < 0.0) --high;
   if (low > high) return;
   const auto at = static_cast<std::size_t>(low);
-  kRaise(&inverse_[at], &cosines_[at], &sines_[at], a, b, high - low + 1);
+  kRaise(&work_->inverse[at], &fan_->cosines[at], &fan_->sines[at], a, b, high - low + 1);
   for (int block = low / kBlock; block <= high / kBlock; ++block) {
-    least_[static_cast<std::size_t>(block)] = 0.0;
+    work_->least[static_cast<std::size_t>(block)] = 0.0;
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -61,9 +62,7 @@ class PlanarScanner {
   int count() const { return count_; }
   double range() const { return range_; }
   /// Unit vector of beam i in the sensor's frame.
-  Vec2 Direction(int i) const {
-    return {cosines_[static_cast<std::size_t>(i)], sines_[static_cast<std::size_t>(i)]};
-  }
+  Vec2 Direction(int i) const;
 
   /// Distances along all beams, m, (count), of a sensor at `pose`, to the outlines of `fixed` and
   /// `moving` that are not `self`'s own. Both are finished. What lies near in `fixed` is remembered
@@ -76,24 +75,25 @@ class PlanarScanner {
   void ScanOutline(const PlanarWorld& world, const PlanarWorld::Outline& outline, const Pose2& pose,
                    double sine, double cosine);
   bool IsHidden(Vec2 centre, double radius);
+  double Least(int block);  // of inverse_ in a block, 1/m
+  double Farthest();        // hit so far, or the range, m
   void RasteriseEdge(Vec2 right, Vec2 left, double right_angle, double left_angle);
   void Cover(int low, int high, Vec2 right, Vec2 left, double a, double b);
+
+  struct Fan;   // the beams' directions; scanners alike share one
+  struct Work;  // the beam buffer and other scratch; scanners of a thread share one
 
   int count_;
   double first_angle_;
   double step_;
   double range_;
-  std::vector<double> cosines_;  // of the beams, (count)
-  std::vector<double> sines_;
-  std::vector<double> inverse_;  // 1/m, nearest so far, (count)
-  std::vector<double> least_;    // 1/m, the least of each block of inverse_, or 0: not known
+  std::shared_ptr<const Fan> fan_;
+  Work* work_ = nullptr;                     // of the thread that scans
   const PlanarWorld* near_world_ = nullptr;  // of which near_ was made, at
   std::uint64_t near_revision_ = 0;          // this revision,
   Vec2 near_at_;                             // for scans around here
   std::vector<std::uint32_t> near_;          // outlines of the fixed world, nearest first
-  std::vector<std::uint32_t> near_moving_;   // scratch
-  std::vector<Vec2> local_;     // corners of one outline in the sensor's frame, scratch
-  std::vector<double> angles_;  // their rough angles from the first beam, rad, 0..2 pi, scratch
+  std::vector<double> near_gaps_;            // m, from near_at_ to each of near_
 };
 
 }  // namespace ccmorse::sim
