@@ -49,9 +49,8 @@ Vec2 InverseTransform(const Pose2& frame, Vec2 point) {
   return {c * d.x + s * d.y, c * d.y - s * d.x};
 }
 
-void Place(std::span<const Vec2> points, const Pose2& frame, std::vector<Vec2>& placed) {
+void Place(std::span<const Vec2> points, const Pose2& frame, std::span<Vec2> placed) {
   const auto [s, c] = SinCos(frame.yaw);
-  placed.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec2 p = points[i];
     placed[i] = {frame.x + c * p.x - s * p.y, frame.y + s * p.x + c * p.y};

@@ -14,8 +14,8 @@ Vec2 Transform(const Pose2& frame, Vec2 point);
 /// Where `point` of the world lies in the frame `frame`, m.
 Vec2 InverseTransform(const Pose2& frame, Vec2 point);
 
-/// All `points` of the frame `frame` in the world, m, into `placed` (resized to fit).
-void Place(std::span<const Vec2> points, const Pose2& frame, std::vector<Vec2>& placed);
+/// All `points` of the frame `frame` in the world, m, into `placed`, which holds as many.
+void Place(std::span<const Vec2> points, const Pose2& frame, std::span<Vec2> placed);
 
 /// The corners of an upright box seen from above, counter-clockwise from its (+x, +y) corner, m.
 std::array<Vec2, 4> BoxCorners(const Pose2& centre, double size_x, double size_y);

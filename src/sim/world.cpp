@@ -67,6 +67,7 @@ const PlanarWorld& World::RobotsAt(double height) const {
       for (const Robot* robot : robots_) {
         for (const scene::HullPart& part : robot->model().hull) {
           if (cut->height < part.bottom || cut->height >= part.top) continue;
+          hull_.resize(part.outline.size());
           Place(part.outline, robot->pose(), hull_);
           cut->robots.Add(hull_, robot->index());
         }

@@ -52,12 +52,13 @@ Footprint Footprint::Make(std::vector<Vec2> outline) {
 }
 
 std::vector<Vec2> Footprint::At(const Pose2& pose) const {
-  std::vector<Vec2> placed;
+  std::vector<Vec2> placed(outline.size());
   Place(outline, pose, placed);
   return placed;
 }
 
 void Obstacle::MoveTo(const Footprint& footprint, const Pose2& pose) {
+  outline.resize(footprint.outline.size());
   Place(footprint.outline, pose, outline);
   centre = {pose.x, pose.y};
   radius = footprint.radius;
@@ -73,11 +74,7 @@ bool Collides(const Footprint& footprint, const Pose2& pose,
     const double reach = obstacle->radius + footprint.radius;
     if (Dot(d, d) >= reach * reach) continue;
     if (!placed) {
-      const auto [s, c] = SinCos(pose.yaw);
-      for (std::size_t i = 0; i < count; ++i) {
-        const Vec2 p = footprint.outline[i];
-        buffer[i] = {pose.x + c * p.x - s * p.y, pose.y + s * p.x + c * p.y};
-      }
+      Place(footprint.outline, pose, std::span(buffer).first(count));
       placed = true;
     }
     if (ConvexOverlap(std::span(buffer).first(count), obstacle->outline)) return true;
