@@ -72,6 +72,10 @@ bool ConvexOverlap(std::span<const Vec2> a, std::span<const Vec2> b) {
   return !EdgeSeparates(a, b) && !EdgeSeparates(b, a);
 }
 
+double DistanceBeyondEdges(std::span<const Vec2> polygon, Vec2 point) {
+  return GapAlongNormals(polygon, {&point, 1});
+}
+
 bool Contains(std::span<const Vec2> polygon, Vec2 point) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 edge = polygon[(i + 1) % polygon.size()] - polygon[i];

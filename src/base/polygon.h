@@ -25,6 +25,10 @@ std::array<Vec2, 4> BoxCorners(const Pose2& centre, double size_x, double size_y
 /// they overlap, 0 when they touch.
 double ConvexGap(std::span<const Vec2> a, std::span<const Vec2> b);
 
+/// How far the point lies beyond the convex counter-clockwise polygon's edge lines, m: at most its
+/// distance from the polygon, negative inside.
+double DistanceBeyondEdges(std::span<const Vec2> polygon, Vec2 point);
+
 /// Do the two convex counter-clockwise polygons share area?
 bool ConvexOverlap(std::span<const Vec2> a, std::span<const Vec2> b);
 

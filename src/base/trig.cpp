@@ -10,6 +10,7 @@ namespace {
 constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
 constexpr double kHalfPiMiddle = 6.07710050630396597660e-11;
 constexpr double kHalfPiLow = 2.02226624879595063154e-21;
+constexpr double kLargest = 1e15;  // rad; the spacing of doubles there is a tenth of a radian
 
 // Taylor polynomials: on |x| <= pi/4 the first term left out is below 1e-19.
 double SinKernel(double x) {
@@ -40,16 +41,28 @@ double CosKernel(double x) {
   return rough + (((1.0 - rough) - half) + z * z * p);  // keeps the bits that 1 - z/2 rounds away
 }
 
+// To the nearest whole number, ties to even, without a call into the C library; what is beyond
+// 2^51 has only few bits behind the point and stays as it is.
+double RoundToEven(double x) {
+  constexpr double kShift = 0x1.8p52;
+  if (!(std::fabs(x) < 0x1p51)) return x;
+  const double shifted = x + kShift;
+  return shifted - kShift;
+}
+
 }  // namespace
 
 SinCosPair SinCos(double angle) {
-  if (!std::isfinite(angle)) return {angle - angle, angle - angle};
-  const double quarter = std::nearbyint(angle * (2.0 / kPi));
+  if (!(std::fabs(angle) < kLargest)) {
+    // Infinity and NaN give NaN; far beyond all angles there are, any pair on the circle is right.
+    return std::isfinite(angle) ? SinCosPair{} : SinCosPair{angle - angle, angle - angle};
+  }
+  const double quarter = RoundToEven(angle * (2.0 / kPi));
   const double x =
       ((angle - quarter * kHalfPiHigh) - quarter * kHalfPiMiddle) - quarter * kHalfPiLow;
   const double s = SinKernel(x);
   const double c = CosKernel(x);
-  switch (static_cast<long long>(std::fmod(quarter, 4.0)) & 3) {
+  switch (static_cast<long long>(quarter) & 3) {
     case 0:
       return {s, c};
     case 1:

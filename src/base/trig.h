@@ -16,8 +16,8 @@ struct SinCosPair {
 
 /// Sine and cosine, the same bits on every x86-64 machine: the C library picks its own by CPU, and
 /// the variants differ in the last bit, which would break the promise of equal runs. Within 2 ulp
-/// of the true value for |angle| <= 1e5 rad; larger angles lose precision, NaN and infinity give
-/// NaN.
+/// of the true value for |angle| <= 1e5 rad; larger angles lose precision, from 1e15 on they count
+/// as 0, NaN and infinity give NaN.
 SinCosPair SinCos(double angle);
 
 /// The angle in (-pi, pi] that points where `angle` does, rad; the same bits on every machine.

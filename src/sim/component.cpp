@@ -15,7 +15,11 @@ Component::Component(Robot& robot, const std::string& name, std::string type, do
 
 bool Component::TakeDue(const Instant& now, double base_frequency) {
   if (now.tick < next_tick_) return false;
-  // Faster than the tick, or switched off for a while: the ones missed are not made up for.
+  if (frequency_ >= base_frequency) {
+    next_tick_ = now.tick + 1;
+    return true;
+  }
+  // Switched off for a while: the ones missed are not made up for.
   const double ticks = base_frequency / frequency_;
   const double next = std::floor(static_cast<double>(now.tick) / ticks + 1e-9) + 1.0;
   next_tick_ = static_cast<std::uint64_t>(std::ceil(next * ticks - 1e-9));

@@ -91,11 +91,15 @@ class Component {
   std::vector<Service> services_;
 };
 
-/// Reads the world (thesis 2.4).
+/// Reads the world (thesis 2.4). Sensors of different robots sample at the same time, in threads:
+/// Sample() changes nothing but the sensor.
 class Sensor : public Component {
  public:
   using Component::Component;
   virtual void Sample(const Instant& now) = 0;
+
+  /// About how much a sample costs, in beams of a scanner: work is split over threads by it.
+  virtual int Work() const { return 1; }
 
   std::uint64_t samples() const { return samples_; }  ///< taken since the start
   void CountSample() { ++samples_; }

@@ -2,29 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 namespace ccmorse::sim {
 namespace {
 
-constexpr double kRemembered =
-    0.25;  // m that a robot may move before its surroundings are looked up
+constexpr std::size_t kFleet = 8;       // robots from which on threads are worth their trouble
+constexpr std::int64_t kShared = 2048;  // beams, or as much work, from which on threads share it
+
+int Threads(int asked, std::size_t robots) {
+  if (asked > 0) return asked;
+  if (robots < kFleet) return 1;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 }  // namespace
 
-Simulation::Simulation(scene::Scenario scenario)
+Simulation::Simulation(scene::Scenario scenario, int threads)
     : scenario_(std::move(scenario)),
       world_(scenario_.world),
-      canvas_(scenario_.canvas, scenario_.world.size_x, scenario_.world.size_y) {
+      canvas_(scenario_.canvas, scenario_.world.size_x, scenario_.world.size_y),
+      pool_(Threads(threads, scenario_.robots.size())) {
   // Robots are worked on in the order of their names, so that the order in the file has no effect.
   std::vector<scene::RobotDef> defs = scenario_.robots;
   std::sort(defs.begin(), defs.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-  std::vector<const Robot*> seen;
   for (const scene::RobotDef& def : defs) {
     robots_.push_back(std::make_unique<Robot>(def, static_cast<int>(robots_.size())));
-    seen.push_back(robots_.back().get());
-    fastest_ = std::max(fastest_, robots_.back()->model().max_speed);
   }
-  surroundings_.resize(robots_.size());
+  motion_.emplace(world_, robots_);
+  std::vector<const Robot*> seen;
+  for (const auto& robot : robots_) seen.push_back(robot.get());
   world_.SetRobots(seen);
   for (const auto& robot : robots_) {
     Equip(*robot, scenario_, world_, canvas_);
@@ -37,15 +44,37 @@ Simulation::Simulation(scene::Scenario scenario)
 void Simulation::Sense() {
   const Instant now = Now();
   sampled_.clear();
+  std::int64_t work = 0;
   for (const auto& robot : robots_) {
     for (Sensor* sensor : robot->sensors()) {
       if (!sensor->active() || !sensor->TakeDue(now, scenario_.time.frequency)) continue;
-      sensor->Sample(now);
-      sensor->CountSample();
-      sensor->AddToHash(robot->hash());
       sampled_.push_back(sensor);
+      work += sensor->Work();
     }
   }
+  const auto sample = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Sensor& sensor = *sampled_[i];
+      sensor.Sample(now);
+      sensor.CountSample();
+      sensor.AddToHash(sensor.robot().hash());
+    }
+  };
+  const auto threads = static_cast<std::size_t>(pool_.threads());
+  if (threads == 1 || work < kShared) {
+    sample(0, sampled_.size());
+    return;
+  }
+  // A robot's sensors all fall to one thread, in their order, as they add to the robot's hash.
+  const auto boundary = [&](std::size_t part) {
+    std::size_t i = sampled_.size() * part / threads;
+    while (i > 0 && i < sampled_.size() && &sampled_[i]->robot() == &sampled_[i - 1]->robot()) ++i;
+    return i;
+  };
+  pool_.Run([&](int number) {
+    const auto part = static_cast<std::size_t>(number);
+    sample(boundary(part), boundary(part + 1));
+  });
 }
 
 void Simulation::Act() {
@@ -57,37 +86,11 @@ void Simulation::Act() {
       }
     }
   }
-  if (physics_) MoveRobots(now);
+  if (physics_) {
+    motion_->Step(now, pool_);
+    world_.RobotsMoved();
+  }
   ++tick_;
-}
-
-void Simulation::MoveRobots(const Instant& now) {
-  // Where robots are before anyone moves; in a tick each moves a step at most.
-  circles_.clear();
-  for (const auto& robot : robots_) {
-    circles_.push_back({robot->outline().centre, robot->outline().radius});
-  }
-  robot_grid_.Build(circles_);
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    Robot& robot = *robots_[i];
-    const Vec2 at{robot.pose().x, robot.pose().y};
-    const double step = robot.model().max_speed * now.step;
-    Surroundings& near = surroundings_[i];
-    const Vec2 moved = at - near.centre;
-    if (near.revision != world_.revision() || Dot(moved, moved) > kRemembered * kRemembered) {
-      near.revision = world_.revision();
-      near.centre = at;
-      near.boxes.clear();
-      world_.NearObstacles(at, robot.footprint().radius + step + kRemembered, near.boxes);
-    }
-    in_the_way_.assign(near.boxes.begin(), near.boxes.end());
-    robot_grid_.ForNear(at, robot.footprint().radius + step + fastest_ * now.step,
-                        [this, i](std::uint32_t other) {
-                          if (other != i) in_the_way_.push_back(&robots_[other]->outline());
-                        });
-    robot.Move(now, in_the_way_);
-  }
-  world_.RobotsMoved();
 }
 
 Robot* Simulation::FindRobot(std::string_view name) const {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,18 +10,22 @@
 #include "scene/scenario.h"
 #include "sim/canvas.h"
 #include "sim/component.h"
+#include "sim/physics/fleet_motion.h"
 #include "sim/robots/robot.h"
+#include "sim/worker_pool.h"
 #include "sim/world.h"
 
 namespace ccmorse::sim {
 
 /// A scenario that lives: its world, robots and canvas, advanced tick by tick. It knows neither
-/// sockets nor wall-clock time. Same scenario + same commands at the same ticks = same bytes.
-/// One thread at a time.
+/// sockets nor wall-clock time. Same scenario + same commands at the same ticks = same bytes,
+/// whatever the number of threads. One thread at a time may use it.
 class Simulation {
  public:
-  /// Throws Error when the scenario cannot be (it was checked when it was read).
-  explicit Simulation(scene::Scenario scenario);
+  /// `threads` share the work of a tick; 0: as many as the machine and the number of robots make
+  /// sensible. They change nothing but the time it takes. Throws Error when the scenario cannot be
+  /// (it was checked when it was read).
+  explicit Simulation(scene::Scenario scenario, int threads = 0);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
@@ -62,7 +67,6 @@ class Simulation {
   std::uint64_t Hash() const;
 
  private:
-  void MoveRobots(const Instant& now);
   Instant Now() const { return {tick_, time(), 1.0 / scenario_.time.frequency}; }
 
   scene::Scenario scenario_;
@@ -71,18 +75,8 @@ class Simulation {
   std::vector<std::unique_ptr<Robot>> robots_;
   std::vector<Component*> components_;
   std::vector<Sensor*> sampled_;
-
-  // The boxes that a robot may touch while it is not far from `centre`.
-  struct Surroundings {
-    Vec2 centre;
-    std::uint64_t revision = 0;  // of the world; 0: never looked up
-    std::vector<const Obstacle*> boxes;
-  };
-  std::vector<Surroundings> surroundings_;   // one a robot
-  double fastest_ = 0.0;                     // m/s, of all robots
-  SpatialGrid robot_grid_;                   // where robots were when the tick's motion began
-  std::vector<Circle> circles_;              // scratch
-  std::vector<const Obstacle*> in_the_way_;  // scratch
+  WorkerPool pool_;
+  std::optional<FleetMotion> motion_;
   std::uint64_t tick_ = 0;
   bool physics_ = true;
 };

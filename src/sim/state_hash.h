@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace ccmorse::sim {
@@ -16,6 +18,16 @@ class StateHash {
     value_ ^= value_ >> 32;
   }
   void Add(double number) { Add(std::bit_cast<std::uint64_t>(number)); }
+  /// In four independent lanes, as a chain of multiplications would take longer than the scan.
+  void Add(std::span<const double> numbers) {
+    std::array<StateHash, 4> lanes;
+    std::size_t i = 0;
+    for (; i + lanes.size() <= numbers.size(); i += lanes.size()) {
+      for (std::size_t lane = 0; lane < lanes.size(); ++lane) lanes[lane].Add(numbers[i + lane]);
+    }
+    for (; i < numbers.size(); ++i) lanes[0].Add(numbers[i]);
+    for (const StateHash& lane : lanes) Add(lane.value());
+  }
   void Add(std::string_view text) {
     Add(static_cast<std::uint64_t>(text.size()));
     for (const char c : text) Add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));

@@ -61,22 +61,29 @@ const PlanarWorld& World::BoxesAt(double height) const { return CutAt(height).bo
 
 const PlanarWorld& World::RobotsAt(double height) const {
   Cut& wanted = CutAt(height);
-  if (robots_moved_) {
-    for (const auto& cut : cuts_) {
-      cut->robots.Clear();
-      for (const Robot* robot : robots_) {
-        for (const scene::HullPart& part : robot->model().hull) {
-          if (cut->height < part.bottom || cut->height >= part.top) continue;
-          hull_.resize(part.outline.size());
-          Place(part.outline, robot->pose(), hull_);
-          cut->robots.Add(hull_, robot->index());
-        }
-      }
-      cut->robots.Finish();
+  if (robots_moved_.load(std::memory_order_acquire)) {
+    const std::lock_guard lock(cutting_);
+    if (robots_moved_.load(std::memory_order_relaxed)) {
+      CutRobots();
+      robots_moved_.store(false, std::memory_order_release);
     }
-    robots_moved_ = false;
   }
   return wanted.robots;
+}
+
+void World::CutRobots() const {
+  for (const auto& cut : cuts_) {
+    cut->robots.Clear();
+    for (const Robot* robot : robots_) {
+      for (const scene::HullPart& part : robot->model().hull) {
+        if (cut->height < part.bottom || cut->height >= part.top) continue;
+        hull_.resize(part.outline.size());
+        Place(part.outline, robot->pose(), hull_);
+        cut->robots.Add(hull_, robot->index());
+      }
+    }
+    cut->robots.Finish();
+  }
 }
 
 double World::CastRay(Vec2 from, Vec2 direction, double height, double range, int self,

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -14,7 +16,8 @@ namespace ccmorse::sim {
 
 class Robot;
 
-/// What robots see and run into: the scene's boxes that stand, and the robots. Not thread safe.
+/// What robots see and run into: the scene's boxes that stand, and the robots. Several
+/// threads may look at it while none changes it.
 class World {
  public:
   explicit World(scene::World scene);
@@ -36,12 +39,16 @@ class World {
   /// Changes whenever a box rises or goes down.
   std::uint64_t revision() const { return revision_; }
 
-  /// The standing boxes cut at `height` (m above the floor). The reference stays valid; its content
-  /// follows SetRaised().
+  /// To be called before BoxesAt() and RobotsAt() at a height (m above the floor) by several
+  /// threads.
+  void PrepareCut(double height) const { CutAt(height); }
+
+  /// The standing boxes cut at `height`. The reference stays valid; its content follows
+  /// SetRaised().
   const PlanarWorld& BoxesAt(double height) const;
 
   /// The robots' hulls cut at `height`, at their current poses; made anew at each sensing phase in
-  /// which somebody asks.
+  /// which somebody asks, once for all threads.
   const PlanarWorld& RobotsAt(double height) const;
 
   /// Sets whose hulls RobotsAt() shows. The robots outlive the world's use of them.
@@ -64,6 +71,7 @@ class World {
 
   Cut& CutAt(double height) const;
   void FillBoxes(Cut& cut) const;
+  void CutRobots() const;
   void CollectObstacles();
 
   scene::World scene_;
@@ -72,8 +80,9 @@ class World {
   std::uint64_t revision_ = 0;
   std::vector<const Robot*> robots_;
   mutable std::vector<std::unique_ptr<Cut>> cuts_;  // a handful: one a height that scanners have
-  mutable bool robots_moved_ = true;
-  mutable std::vector<Vec2> hull_;  // scratch of RobotsAt()
+  mutable std::atomic<bool> robots_moved_ = true;
+  mutable std::mutex cutting_;      // whoever makes the cuts of the robots anew
+  mutable std::vector<Vec2> hull_;  // scratch of it
 };
 
 }  // namespace ccmorse::sim

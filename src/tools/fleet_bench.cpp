@@ -136,7 +136,7 @@ double Since(std::chrono::steady_clock::time_point start) {
 
 int BenchFleet(const FleetArguments& arguments) {
   const auto loading = std::chrono::steady_clock::now();
-  sim::Simulation simulation(MakeFleet(arguments.robots));
+  sim::Simulation simulation(MakeFleet(arguments.robots), arguments.threads);
   std::vector<Controller> controllers;
   for (const auto& robot : simulation.robots()) {
     controllers.emplace_back(simulation, *robot, robot->index());

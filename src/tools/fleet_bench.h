@@ -6,6 +6,7 @@ namespace ccmorse::tools {
 struct FleetArguments {
   int robots = 100;       ///< 1..10000
   double seconds = 10.0;  ///< simulated, > 0
+  int threads = 0;        ///< that share the work; 0: all the machine has
   bool json = false;      ///< one JSON object instead of a table
 };
 

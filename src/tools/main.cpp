@@ -89,6 +89,10 @@ int main(int argc, char** argv) {
   fleet_command->add_option("--seconds", fleet.seconds, "simulated time  [10]")
       ->check(CLI::Range(0.1, 1e6))
       ->type_name("S");
+  fleet_command
+      ->add_option("--threads", fleet.threads,
+                   "that share the work; 0: as many as are sensible  [0]")
+      ->check(CLI::Range(0, 256));
   fleet_command->add_flag("--json", fleet.json, "one JSON object instead of a table");
 
   try {

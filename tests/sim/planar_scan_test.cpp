@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -118,6 +120,97 @@ TEST(PlanarScan, AgreesWithBruteForceInTheSyrotekArena) {
     wrong += Mismatches(scanner, first, step, pose, boxes, {}, -1);
   }
   EXPECT_EQ(wrong, 0);
+}
+
+TEST(PlanarScan, CornersCloseToABeamCoverWhatTheyShould) {
+  // Rough angles decide but where they are in doubt: corners 1e-8 to 1e-5 rad beside a beam, at the
+  // fan's ends and behind them, too.
+  const std::uint64_t seed = std::random_device{}();
+  std::cout << "random seed " << seed << "\n";
+  std::mt19937_64 random(seed);
+  const auto uniform = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  int wrong = 0;
+  for (int scene = 0; scene < 1000; ++scene) {
+    const int count = 2 + scene % 90;
+    const double first = uniform(-kPi, kPi);
+    const double step = scene % 4 == 0 ? 2 * kPi / count : uniform(0.2, 1.0) * 2 * kPi / count;
+    PlanarScanner scanner(count, first, step, 5.0);
+    PlanarWorld world;
+    for (int i = 0; i < 4; ++i) {
+      const int beam = i == 0 ? 0 : i == 1 ? count - 1 : static_cast<int>(uniform(0, count));
+      const double beside = std::pow(10.0, uniform(-8, -5)) * (random() % 2 == 0 ? 1.0 : -1.0);
+      const double bearing = first + beam * step + beside;
+      const double distance = uniform(0.5, 4.0);
+      // A triangle on either side of that corner.
+      const double turn = uniform(0.01, 0.5) * (random() % 2 == 0 ? 1.0 : -1.0);
+      const auto at = [distance](double angle, double further) {
+        return Vec2{(distance + further) * std::cos(angle), (distance + further) * std::sin(angle)};
+      };
+      Vec2 corners[] = {at(bearing, 0), at(bearing + turn, 0.1), at(bearing + turn, 0.6)};
+      if (turn > 0.0) std::swap(corners[1], corners[2]);
+      world.Add(corners);
+    }
+    world.Finish();
+    wrong += Mismatches(scanner, first, step, {}, world, {}, -1);
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(PlanarScan, WhatIsRememberedWhileTheSensorMovesHidesNothingThatIsSeen) {
+  const std::uint64_t seed = std::random_device{}();
+  std::cout << "random seed " << seed << "\n";
+  std::mt19937_64 random(seed);
+  const auto uniform = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  int wrong = 0;
+  for (int scene = 0; scene < 100; ++scene) {
+    // Long walls with small things and other walls before and behind them.
+    PlanarWorld world;
+    std::vector<std::array<Vec2, 4>> boxes;
+    for (int i = 0; i < 60; ++i) {
+      const bool wall = i % 4 == 0;
+      const Pose2 at{uniform(-4, 4), uniform(-4, 4), uniform(-4, 4)};
+      boxes.push_back(BoxCorners(at, wall ? uniform(1.0, 4.0) : uniform(0.05, 0.3), 0.05));
+      world.Add(boxes.back());
+    }
+    world.Finish();
+    PlanarScanner scanner(120, -kPi, kPi / 60, 5.0);
+    Pose2 pose{uniform(-2, 2), uniform(-2, 2), 0.0};
+    for (int i = 0; i < 20; ++i) {
+      pose = {pose.x + uniform(-0.1, 0.1), pose.y + uniform(-0.1, 0.1), uniform(-4, 4)};
+      const bool inside = std::any_of(boxes.begin(), boxes.end(), [&](const auto& corners) {
+        return Contains(corners, {pose.x, pose.y});
+      });
+      if (!inside) wrong += Mismatches(scanner, -kPi, kPi / 60, pose, world, {}, -1);
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(PlanarScan, EveryInstructionSetGivesTheSameBits) {
+  std::mt19937_64 random(1);
+  const auto uniform = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int scene = 0; scene < 200; ++scene) {
+    PlanarWorld world;
+    for (int i = 0; i < 30; ++i) {
+      world.Add(BoxCorners({uniform(-4, 4), uniform(-4, 4), uniform(-4, 4)}, 0.5, 0.3));
+    }
+    world.Finish();
+    const Pose2 pose{uniform(-2, 2), uniform(-2, 2), uniform(-4, 4)};
+    PlanarScanner scanner(301, -2.0, 0.013, 5.0);
+    std::vector<double> best(301);
+    std::vector<double> portable(301);
+    scanner.Scan(pose, world, {}, -1, best);
+    PlanarScanner::ForcePortable(true);
+    scanner.Scan(pose, world, {}, -1, portable);
+    PlanarScanner::ForcePortable(false);
+    EXPECT_EQ(best, portable);
+  }
 }
 
 TEST(PlanarScan, ItsOwnRobotIsInvisible) {

@@ -84,6 +84,7 @@ bool Collides(const Footprint& footprint, const Pose2& pose,
 
 MotionResult DriveUntilContact(const Footprint& footprint, const Pose2& start, double v, double w,
                                double seconds, std::span<const Obstacle* const> obstacles) {
+  if (obstacles.empty()) return {DriveArc(start, v, w, seconds), false, std::fabs(v) * seconds};
   const double path = (std::fabs(v) + std::fabs(w) * footprint.radius) * seconds;
   const int steps = std::max(1, static_cast<int>(std::ceil(path / kCheckEvery)));
   const auto at = [&](double fraction) { return DriveArc(start, v, w, fraction * seconds); };

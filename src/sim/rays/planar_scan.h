@@ -49,9 +49,9 @@ class PlanarWorld {
 
 /// A planar range scanner's fan of beams and its beam buffer (design: Rays). No ray is traced: each
 /// front-facing edge is rasterised into the buffer of beams as 1/range, which is linear in the
-/// beam's direction, and the nearest wins. Outlines come nearest first, and one that lies behind
-/// what already covers all its beams is skipped. Exact up to rounding; the same on every
-/// instruction set. One thread at a time may scan with one object.
+/// beam's direction, and the nearest wins. Outlines come nearest first, and those that lie behind
+/// all that was hit are left out. Exact up to rounding; the same on every instruction set. One
+/// thread at a time may scan with one object.
 class PlanarScanner {
  public:
   /// `count` beams, the first at `first_angle` (rad, in the sensor's frame), then counter-clockwise
@@ -70,30 +70,34 @@ class PlanarScanner {
   void Scan(const Pose2& pose, const PlanarWorld& fixed, const PlanarWorld& moving, int self,
             std::span<double> ranges);
 
- private:
-  void FindNear(Vec2 at, const PlanarWorld& world);
-  void ScanOutline(const PlanarWorld& world, const PlanarWorld::Outline& outline, const Pose2& pose,
-                   double sine, double cosine);
-  bool IsHidden(Vec2 centre, double radius);
-  double Least(int block);  // of inverse_ in a block, 1/m
-  double Farthest();        // hit so far, or the range, m
-  void RasteriseEdge(Vec2 right, Vec2 left, double right_angle, double left_angle);
-  void Cover(int low, int high, Vec2 right, Vec2 left, double a, double b);
+  /// Uses the portable kernels even where the processor has AVX2: tests compare the two.
+  static void ForcePortable(bool portable);
 
-  struct Fan;   // the beams' directions; scanners alike share one
-  struct Work;  // the beam buffer and other scratch; scanners of a thread share one
+ private:
+  // Outlines of which a scan may meet some, nearest first, their corners one after the other.
+  struct Nearby {
+    std::vector<double> xs, ys;         // m, corners in the world's frame
+    std::vector<std::uint32_t> counts;  // corners of each outline
+    std::vector<double> gaps;           // m, from the sensor to each outline's circle
+    void Clear();
+    void Add(const PlanarWorld& world, const PlanarWorld::Outline& outline, double gap);
+    void Finish();  // pads the corners for the loops
+  };
+  struct Fan;     // the beams' directions; scanners alike share one
+  struct Work;    // the beam buffer and other scratch; scanners of a thread share one
+  struct Kernel;  // the loops, compiled for two instruction sets
+
+  void FindNear(Vec2 at, const PlanarWorld& world);
 
   int count_;
-  double first_angle_;
+  double first_angle_;  // rad, in (-pi, pi]
   double step_;
   double range_;
   std::shared_ptr<const Fan> fan_;
-  Work* work_ = nullptr;                     // of the thread that scans
   const PlanarWorld* near_world_ = nullptr;  // of which near_ was made, at
   std::uint64_t near_revision_ = 0;          // this revision,
   Vec2 near_at_;                             // for scans around here
-  std::vector<std::uint32_t> near_;          // outlines of the fixed world, nearest first
-  std::vector<double> near_gaps_;            // m, from near_at_ to each of near_
+  Nearby near_;                              // of the fixed world
 };
 
 }  // namespace ccmorse::sim

@@ -42,7 +42,7 @@ void Robot::Move(const Instant& now, std::span<const Obstacle* const> obstacles)
     pose_ = moved.pose;
     tally_.distance += moved.driven;
     stalled_ = moved.blocked;
-    outline_.MoveTo(footprint_, pose_);
+    outline_old_ = true;
   }
   if (stalled_) {
     twist_ = {};
@@ -61,7 +61,15 @@ void Robot::Place(const Pose2& pose) {
   twist_ = {};
   command_ = {};
   stalled_ = false;
-  outline_.MoveTo(footprint_, pose_);
+  outline_old_ = true;
+}
+
+const Obstacle& Robot::outline() const {
+  if (outline_old_) {
+    outline_.MoveTo(footprint_, pose_);
+    outline_old_ = false;
+  }
+  return outline_;
 }
 
 void Robot::Reset() {

@@ -59,7 +59,7 @@ class Robot {
   void Place(const Pose2& pose);
 
   /// Its outline for others to run into, at the current pose.
-  const Obstacle& outline() const { return outline_; }
+  const Obstacle& outline() const;
 
   /// Adds a device; it belongs to the robot. Returns it.
   template <typename T>
@@ -92,7 +92,8 @@ class Robot {
   const Actuator* driver_ = nullptr;
   bool stalled_ = false;
   RobotTally tally_;
-  Obstacle outline_;
+  mutable Obstacle outline_;         // placed when somebody asks
+  mutable bool outline_old_ = true;  // it is where the robot was
   StateHash hash_;
   std::vector<std::unique_ptr<Component>> components_;
   std::vector<Sensor*> sensors_;

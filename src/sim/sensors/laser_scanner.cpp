@@ -16,14 +16,17 @@ LaserScanner::LaserScanner(Robot& robot, const std::string& name, const scene::L
       world_(world),
       scanner_(def.samples, -Radians(def.scan_window_deg) / 2.0, Radians(def.resolution_deg),
                def.range),
-      ranges_(static_cast<std::size_t>(def.samples), def.range) {}
+      ranges_(static_cast<std::size_t>(def.samples), def.range) {
+  world_.PrepareCut(Height());
+}
+
+double LaserScanner::Height() const { return robot().model().origin_height + def_.position.z; }
 
 void LaserScanner::Sample(const Instant& now) {
   const Pose2& base = robot().pose();
   const Vec2 at = Transform(base, {def_.position.x, def_.position.y});
-  const double height = robot().model().origin_height + def_.position.z;
-  scanner_.Scan({at.x, at.y, base.yaw + def_.yaw}, world_.BoxesAt(height), world_.RobotsAt(height),
-                robot().index(), ranges_);
+  scanner_.Scan({at.x, at.y, base.yaw + def_.yaw}, world_.BoxesAt(Height()),
+                world_.RobotsAt(Height()), robot().index(), ranges_);
   DataChanged(now.time);
 }
 
@@ -32,9 +35,7 @@ void LaserScanner::Reset() {
   std::fill(ranges_.begin(), ranges_.end(), def_.range);
 }
 
-void LaserScanner::AddToHash(StateHash& hash) const {
-  for (const double range : ranges_) hash.Add(range);
-}
+void LaserScanner::AddToHash(StateHash& hash) const { hash.Add(ranges_); }
 
 Json LaserScanner::Configurations() const {
   return Json(Json::Object{{"laser_range", def_.range},

@@ -24,10 +24,13 @@ class LaserScanner : public Sensor {
   Json Configurations() const override;
   Vec3 mount() const override { return def_.position; }
 
+  int Work() const override { return def_.samples; }
+
   const std::vector<double>& ranges() const { return ranges_; }  ///< m, (samples)
   const PlanarScanner& scanner() const { return scanner_; }
 
  private:
+  double Height() const;  // m above the floor
   void AppendFields(std::string& out) const override;
 
   scene::LaserDef def_;

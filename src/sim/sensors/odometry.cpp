@@ -1,17 +1,17 @@
 #include "sim/sensors/odometry.h"
 
-#include "base/polygon.h"
-#include "base/trig.h"
-
 namespace ccmorse::sim {
 
 OdometrySensor::OdometrySensor(Robot& robot, const std::string& name)
-    : Sensor(robot, name, "IntegratedOdometry", 60.0), start_(robot.pose()) {}
+    : Sensor(robot, name, "IntegratedOdometry", 60.0),
+      start_(robot.pose()),
+      start_angle_(SinCos(start_.yaw)) {}
 
 void OdometrySensor::Sample(const Instant& now) {
   const Pose2& pose = robot().pose();
-  const Vec2 moved = InverseTransform(start_, {pose.x, pose.y});
-  moved_ = {moved.x, moved.y, NormalizeAngle(pose.yaw - start_.yaw)};
+  const auto [s, c] = start_angle_;
+  const Vec2 d{pose.x - start_.x, pose.y - start_.y};
+  moved_ = {c * d.x + s * d.y, c * d.y - s * d.x, NormalizeAngle(pose.yaw - start_.yaw)};
   twist_ = robot().twist();
   stalled_ = robot().stalled();
   DataChanged(now.time);
@@ -20,6 +20,7 @@ void OdometrySensor::Sample(const Instant& now) {
 void OdometrySensor::Reset() {
   Sensor::Reset();
   start_ = robot().pose();
+  start_angle_ = SinCos(start_.yaw);
   moved_ = {};
   twist_ = {};
   stalled_ = false;

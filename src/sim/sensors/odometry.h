@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/pose.h"
+#include "base/trig.h"
 #include "sim/component.h"
 #include "sim/robots/robot.h"
 
@@ -20,8 +21,9 @@ class OdometrySensor : public Sensor {
  private:
   void AppendFields(std::string& out) const override;
 
-  Pose2 start_;  // in the world
-  Pose2 moved_;  // in the frame of start_
+  Pose2 start_;             // in the world
+  SinCosPair start_angle_;  // of its yaw
+  Pose2 moved_;             // in the frame of start_
   Twist twist_;
   bool stalled_ = false;
 };
