@@ -81,6 +81,25 @@ double NormalizeAngle(double angle) {
   return wrapped <= -kPi ? kPi : wrapped;
 }
 
+double Log(double x) {
+  int exponent = 0;
+  double m = std::frexp(x, &exponent);  // exact: no library variants
+  if (m < 0.70710678118654752) {
+    m *= 2.0;
+    --exponent;
+  }
+  // log m = 2 atanh((m - 1) / (m + 1)); |s| <= 0.1716, so the first term left out is below 1e-18.
+  const double s = (m - 1.0) / (m + 1.0);
+  const double z = s * s;
+  double p = 1.0 / 23.0;
+  for (double odd = 21.0; odd > 2.0; odd -= 2.0) {
+    p = p * z + 1.0 / odd;
+  }
+  constexpr double kLn2High = 6.93147180369123816490e-01;  // its last 32 bits are 0
+  constexpr double kLn2Low = 1.90821492927058770002e-10;
+  return exponent * kLn2High + (2.0 * s + (2.0 * s * z * p + exponent * kLn2Low));
+}
+
 double Atan2(double y, double x) {
   const double ax = std::fabs(x);
   const double ay = std::fabs(y);

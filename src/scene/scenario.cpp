@@ -178,6 +178,7 @@ LaserDef ReadLaser(const Field& field, const LaserDef& delivered) {
   laser.yaw = reader.Yaw(laser.yaw);
   laser.frequency = reader.Number("frequency", laser.frequency, {0.0, 1000.0, true});
   laser.range = reader.Number("range", laser.range, {0.0, kFarthest, true});
+  laser.range_std = reader.Number("range_std", laser.range_std, {0.0, kFarthest});
   laser.layer_offset = reader.Number("layer_offset", laser.layer_offset, {-kFarthest, kFarthest});
   laser.visible_arc = reader.Bool("visible_arc", laser.visible_arc);
   ReadBeams(reader, laser);
@@ -234,6 +235,15 @@ void ReadDrivers(const Field& field, std::map<std::string, Json>& drivers) {
   }
 }
 
+PoseNoiseDef ReadPoseNoise(const Field& field) {
+  ObjectReader reader(field);
+  PoseNoiseDef noise;
+  noise.pos_std = reader.Number("pos_std", noise.pos_std, {0.0, kFarthest});
+  noise.rot_std = reader.Number("rot_std", noise.rot_std, {0.0, kPi});
+  reader.Finish();
+  return noise;
+}
+
 RobotDef ReadRobot(const Field& field, std::size_t number) {
   ObjectReader reader(field);
   RobotDef robot;
@@ -249,6 +259,7 @@ RobotDef ReadRobot(const Field& field, std::size_t number) {
   if (reader.Has("proxies")) ReadProxies(reader.Require("proxies"), robot.proxies);
   if (reader.Has("drivers")) ReadDrivers(reader.Require("drivers"), robot.drivers);
   if (reader.Has("laser")) robot.laser = ReadLaser(reader.Require("laser"), robot.laser);
+  if (reader.Has("pose_noise")) robot.pose_noise = ReadPoseNoise(reader.Require("pose_noise"));
   reader.Finish();
   return robot;
 }
@@ -381,6 +392,7 @@ Json LaserToJson(const LaserDef& laser) {
                       {"scan_window_deg", laser.scan_window_deg},
                       {"resolution_deg", laser.resolution_deg},
                       {"range", laser.range},
+                      {"range_std", laser.range_std},
                       {"layer_offset", laser.layer_offset},
                       {"visible_arc", laser.visible_arc},
                       {"samples", laser.samples}};
@@ -401,7 +413,9 @@ Json RobotToJson(const RobotDef& robot) {
                       {"color", ColorText(robot.color)},
                       {"proxies", std::move(proxies)},
                       {"drivers", std::move(drivers)},
-                      {"laser", LaserToJson(robot.laser)}};
+                      {"laser", LaserToJson(robot.laser)},
+                      {"pose_noise", Json::Object{{"pos_std", robot.pose_noise.pos_std},
+                                                  {"rot_std", robot.pose_noise.rot_std}}}};
 }
 
 }  // namespace

@@ -59,9 +59,17 @@ struct LaserDef {
   double scan_window_deg = 270.0;   ///< degrees, (0, 360]
   double resolution_deg = 0.39589;  ///< degrees from beam to beam, > 0
   double range = 5.0;               ///< m, > 0; what a beam without a hit returns
+  double range_std = 0.0;           ///< m, >= 0: standard deviation of a hit's noise
   double layer_offset = 0.125;      ///< m; kept for MORSE's configuration, no effect with one layer
   bool visible_arc = false;         ///< drawn by a viewer
   int samples = 682;                ///< beams, 2..10000; first at -window/2, counter-clockwise
+};
+
+/// The noise of a robot's pose sensor, with the names of MORSE's PoseNoise modifier (specs:
+/// morse.md B.5): what it adds to each fresh pose, normally distributed.
+struct PoseNoiseDef {
+  double pos_std = 0.0;  ///< m, >= 0, on x and y each
+  double rot_std = 0.0;  ///< rad, >= 0, on yaw
 };
 
 /// What one robot carries under Player's names (thesis 3.2: "indexes of proxies available").
@@ -80,6 +88,7 @@ struct RobotDef {
   ProxyTable proxies;                   ///< defaults of the type where not given
   std::map<std::string, Json> drivers;  ///< driver name ("snd") -> object of its settings, as given
   LaserDef laser;
+  PoseNoiseDef pose_noise;
 };
 
 /// The grid-map canvas (thesis 4.2.1).

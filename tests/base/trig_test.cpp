@@ -21,6 +21,18 @@ TEST(Trig, SineAndCosineAgreeWithTheCLibraryInLongDouble) {
   }
 }
 
+TEST(Trig, LogAgreesWithTheCLibraryInLongDouble) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> exponents(-700.0, 700.0);
+  std::uniform_real_distribution<double> near_one(0.5, 2.0);
+  for (int i = 0; i < 200000; ++i) {
+    const double x = i % 2 == 0 ? std::exp(exponents(random)) : near_one(random);
+    const auto expected = static_cast<double>(std::log(static_cast<long double>(x)));
+    ASSERT_NEAR(Log(x), expected, 1e-16 + 4.5e-16 * std::fabs(expected)) << x;
+  }
+  EXPECT_EQ(Log(1.0), 0.0);
+}
+
 TEST(Trig, Atan2AgreesWithTheCLibrary) {
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> part(-10.0, 10.0);

@@ -30,13 +30,15 @@ bool Same(const Light& a, const Light& b) {
 bool Same(const LaserDef& a, const LaserDef& b) {
   return Same(a.position, b.position) && a.yaw == b.yaw && a.frequency == b.frequency &&
          a.scan_window_deg == b.scan_window_deg && a.resolution_deg == b.resolution_deg &&
-         a.range == b.range && a.layer_offset == b.layer_offset && a.visible_arc == b.visible_arc &&
-         a.samples == b.samples;
+         a.range == b.range && a.range_std == b.range_std && a.layer_offset == b.layer_offset &&
+         a.visible_arc == b.visible_arc && a.samples == b.samples;
 }
 
 bool Same(const RobotDef& a, const RobotDef& b) {
   return a.name == b.name && a.type == b.type && Same(a.pose, b.pose) && a.color == b.color &&
-         a.proxies == b.proxies && a.drivers == b.drivers && Same(a.laser, b.laser);
+         a.proxies == b.proxies && a.drivers == b.drivers && Same(a.laser, b.laser) &&
+         a.pose_noise.pos_std == b.pose_noise.pos_std &&
+         a.pose_noise.rot_std == b.pose_noise.rot_std;
 }
 
 template <typename T>
@@ -86,6 +88,7 @@ LaserDef AnyLaser() {
   laser.samples = *rc::gen::inRange(2, 2000);
   laser.resolution_deg = laser.scan_window_deg / laser.samples;
   laser.range = Real(0.1, 100.0);
+  laser.range_std = Real(0.0, 1.0);
   laser.layer_offset = Real(-1.0, 1.0);
   laser.visible_arc = *rc::gen::arbitrary<bool>();
   return laser;
@@ -104,6 +107,7 @@ RC_GTEST_PROP(C02, WhatToJsonWritesReadsBackTheSame, ()) {
     robot.pose = scenario.world.docks[static_cast<std::size_t>(i)];
     robot.color = AnyColor();
     robot.laser = AnyLaser();
+    robot.pose_noise = {Real(0.0, 1.0), Real(0.0, 1.0)};
     robot.proxies["position2d"][*rc::gen::inRange(0, 65536)] = "odometry";
     robot.proxies["laser"];
     robot.drivers["snd"] = Json::Object{{"max_speed", Real(0.0, 1.0)}, {"name", "a \"b\" \n"}};

@@ -14,9 +14,10 @@
 namespace ccmorse::sim {
 
 void EquipS1R(Robot& robot, const scene::Scenario& scenario, const World& world, Canvas& canvas) {
-  robot.Add(std::make_unique<PoseSensor>(robot, "pose"));
+  robot.Add(std::make_unique<PoseSensor>(robot, "pose", scenario.seed));
   robot.Add(std::make_unique<OdometrySensor>(robot, "odometry"));
-  robot.Add(std::make_unique<LaserScanner>(robot, "hokuyo", robot.def().laser, world));
+  robot.Add(
+      std::make_unique<LaserScanner>(robot, "hokuyo", robot.def().laser, world, scenario.seed));
   robot.Add(std::make_unique<RobotProperties>(robot, "properties", scenario));
   robot.Add(std::make_unique<MotionVW>(robot, "motion"));
   robot.Add(std::make_unique<Waypoint>(robot, "waypoint"));

@@ -1,6 +1,7 @@
 #include "sim/sensors/laser_scanner.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/polygon.h"
 #include "base/trig.h"
@@ -10,12 +11,13 @@
 namespace ccmorse::sim {
 
 LaserScanner::LaserScanner(Robot& robot, const std::string& name, const scene::LaserDef& def,
-                           const World& world)
+                           const World& world, std::uint64_t seed)
     : Sensor(robot, name, "LaserScanner", def.frequency),
       def_(def),
       world_(world),
       scanner_(def.samples, -Radians(def.scan_window_deg) / 2.0, Radians(def.resolution_deg),
                def.range),
+      noise_(seed, full_name()),
       ranges_(static_cast<std::size_t>(def.samples), def.range) {
   world_.PrepareCut(Height());
 }
@@ -27,7 +29,21 @@ void LaserScanner::Sample(const Instant& now) {
   const Vec2 at = Transform(base, {def_.position.x, def_.position.y});
   scanner_.Scan({at.x, at.y, base.yaw + def_.yaw}, world_.BoxesAt(Height()),
                 world_.RobotsAt(Height()), robot().index(), ranges_);
+  if (def_.range_std > 0.0) AddNoise(now.tick);
   DataChanged(now.time);
+}
+
+void LaserScanner::AddNoise(std::uint64_t tick) {
+  // Two at a time, as they are made, so that no scratch is needed.
+  for (std::size_t i = 0; i < ranges_.size(); i += 2) {
+    std::array<double, 2> off{};
+    noise_.AddGaussian(tick, def_.range_std, off.data(), 2, static_cast<std::uint32_t>(i));
+    for (std::size_t k = i; k < std::min(i + 2, ranges_.size()); ++k) {
+      // A beam without a hit has no range to be wrong about.
+      if (ranges_[k] < def_.range)
+        ranges_[k] = std::clamp(ranges_[k] + off[k - i], 0.0, def_.range);
+    }
+  }
 }
 
 void LaserScanner::Reset() {

@@ -1,10 +1,14 @@
 #include "sim/sensors/pose.h"
 
+#include <array>
+
+#include "base/trig.h"
 #include "sim/robots/robot.h"
 
 namespace ccmorse::sim {
 
-PoseSensor::PoseSensor(Robot& robot, const std::string& name) : Sensor(robot, name, "Pose", 60.0) {
+PoseSensor::PoseSensor(Robot& robot, const std::string& name, std::uint64_t seed)
+    : Sensor(robot, name, "Pose", 60.0), noise_(seed, full_name()) {
   Read();
 }
 
@@ -15,6 +19,18 @@ void PoseSensor::Read() {
 
 void PoseSensor::Sample(const Instant& now) {
   Read();
+  const scene::PoseNoiseDef& noise = robot().def().pose_noise;
+  if (noise.pos_std > 0.0) {
+    std::array<double, 2> off{};
+    noise_.AddGaussian(now.tick, noise.pos_std, off.data(), off.size());
+    pose_.x += off[0];
+    pose_.y += off[1];
+  }
+  if (noise.rot_std > 0.0) {
+    double off = 0.0;
+    noise_.AddGaussian(now.tick, noise.rot_std, &off, 1, 2);
+    pose_.yaw = NormalizeAngle(pose_.yaw + off);
+  }
   DataChanged(now.time);
 }
 

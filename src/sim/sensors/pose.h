@@ -2,14 +2,15 @@
 
 #include "base/pose.h"
 #include "sim/component.h"
+#include "sim/noise.h"
 
 namespace ccmorse::sim {
 
-/// Where the robot's origin is in the world, without error: MORSE's Pose (specs: morse.md B.2).
-/// Data: x, y, z in m, yaw, pitch, roll in rad; 60 Hz.
+/// Where the robot's origin is in the world: MORSE's Pose (specs: morse.md B.2), without error
+/// unless the scenario gives it noise. Data: x, y, z in m, yaw, pitch, roll in rad; 60 Hz.
 class PoseSensor : public Sensor {
  public:
-  PoseSensor(Robot& robot, const std::string& name);
+  PoseSensor(Robot& robot, const std::string& name, std::uint64_t seed);
   void Sample(const Instant& now) override;
   void AddToHash(StateHash& hash) const override;
   void Reset() override;
@@ -18,6 +19,7 @@ class PoseSensor : public Sensor {
   void AppendFields(std::string& out) const override;
   void Read();
 
+  Noise noise_;
   Pose2 pose_;
   double z_ = 0.0;
 };
