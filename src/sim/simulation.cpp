@@ -8,7 +8,7 @@ namespace ccmorse::sim {
 namespace {
 
 constexpr std::size_t kFleet = 8;       // robots from which on threads are worth their trouble
-constexpr std::int64_t kShared = 2048;  // beams, or as much work, from which on threads share it
+constexpr std::int64_t kShared = 16384;  // beams, or as much work, from which on threads share it
 
 int Threads(int asked, std::size_t robots) {
   if (asked > 0) return asked;
@@ -37,6 +37,7 @@ Simulation::Simulation(scene::Scenario scenario, int threads)
     Equip(*robot, scenario_, world_, canvas_);
     for (const auto& component : robot->components()) components_.push_back(component.get());
   }
+  sampled_.reserve(components_.size());
   std::sort(components_.begin(), components_.end(),
             [](const auto* a, const auto* b) { return a->full_name() < b->full_name(); });
 }

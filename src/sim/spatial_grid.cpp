@@ -35,6 +35,8 @@ void SpatialGrid::Build(std::span<const Circle> circles) {
 
   // Counting sort by cell, which keeps the order of indexes within a cell.
   cells_.resize(circles_.size());
+  // Where circles move, the grid's shape changes from one Build() to the next, within this.
+  starts_.reserve(8 * circles_.size() + 64);
   starts_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
   for (std::size_t i = 0; i < circles_.size(); ++i) {
     const Vec2 centre = circles_[i].centre;

@@ -22,6 +22,12 @@ double Distance(Vec2 a, Vec2 b) { return std::sqrt(Dot(b - a, b - a)); }
 FleetMotion::FleetMotion(const World& world, const std::vector<std::unique_ptr<Robot>>& robots)
     : world_(world), robots_(robots), around_(robots.size()) {
   for (const auto& robot : robots) fastest_ = std::max(fastest_, robot->model().max_speed);
+  // Room enough that ticks hardly ever allocate.
+  for (Around& around : around_) around.boxes.reserve(16);
+  alone_.reserve(robots.size());
+  in_company_.reserve(robots.size());
+  starts_.reserve(robots.size() + 1);
+  neighbours_.reserve(8 * robots.size());
 }
 
 void FleetMotion::Step(const Instant& now, WorkerPool& pool) {
@@ -32,7 +38,10 @@ void FleetMotion::Step(const Instant& now, WorkerPool& pool) {
   }
   if (stale) FindNeighbours(fastest_ * now.step);
 
-  in_the_way_.resize(static_cast<std::size_t>(pool.threads()));
+  if (in_the_way_.empty()) {
+    in_the_way_.resize(static_cast<std::size_t>(pool.threads()));
+    for (auto& scratch : in_the_way_) scratch.reserve(64);
+  }
   const auto move_alone = [&](std::size_t begin, std::size_t end, std::size_t part) {
     for (std::size_t i = begin; i < end; ++i) {
       in_the_way_[part].clear();

@@ -1,6 +1,7 @@
 #include "sim/rays/planar_scan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -172,6 +173,12 @@ void PlanarScanner::Nearby::Clear() {
 
 void PlanarScanner::Nearby::Add(const PlanarWorld& world, const PlanarWorld::Outline& outline,
                                 double gap) {
+  if (xs.size() + outline.count + kPadding > xs.capacity()) {
+    // With room for a denser place, so that this is rare once a scanner has looked about.
+    for (auto* const numbers : {&xs, &ys}) numbers->reserve(2 * xs.size() + 512);
+    gaps.reserve(xs.capacity() / 3);
+    counts.reserve(xs.capacity() / 3);
+  }
   for (const Vec2 corner : world.Corners(outline)) {
     xs.push_back(corner.x);
     ys.push_back(corner.y);
@@ -204,6 +211,7 @@ struct PlanarScanner::Work {
   std::vector<double> xs, ys;    // m, corners in the sensor's frame, (corners of a Nearby)
   std::vector<double> bearings;  // of the corners from the first beam, in beams
   std::vector<std::uint32_t> found;
+  std::vector<std::pair<double, std::uint32_t>> by_gap;  // of FindNear()
   Nearby moving;
 
   void Reserve(std::size_t corners) {
@@ -426,7 +434,7 @@ void PlanarScanner::Scan(const Pose2& pose, const PlanarWorld& fixed, const Plan
                          int self, std::span<double> ranges) {
   thread_local Work work;
   const Vec2 at{pose.x, pose.y};
-  FindNear(at, fixed);
+  FindNear(at, fixed, work);
   const auto beams = static_cast<std::size_t>(count_);
   work.inverse.assign(beams + kPadding, 1.0 / range_);
   // The padding never is the farthest.
@@ -439,7 +447,7 @@ void PlanarScanner::Scan(const Pose2& pose, const PlanarWorld& fixed, const Plan
       *this, moving, self, ranges.data());
 }
 
-void PlanarScanner::FindNear(Vec2 at, const PlanarWorld& world) {
+void PlanarScanner::FindNear(Vec2 at, const PlanarWorld& world, Work& work) {
   const Vec2 moved = at - near_at_;
   if (near_world_ == &world && near_revision_ == world.revision() &&
       Dot(moved, moved) < kRemembered * kRemembered) {
@@ -448,36 +456,38 @@ void PlanarScanner::FindNear(Vec2 at, const PlanarWorld& world) {
   near_world_ = &world;
   near_revision_ = world.revision();
   near_at_ = at;
-  std::vector<std::uint32_t> found;
-  world.Near(at, range_ + kRemembered, found);
-  std::vector<std::pair<double, std::uint32_t>> by_gap;
-  for (const std::uint32_t index : found) {
+  work.found.clear();
+  world.Near(at, range_ + kRemembered, work.found);
+  work.by_gap.clear();
+  for (const std::uint32_t index : work.found) {
     const Circle& around = world.outlines()[index].around;
     const Vec2 d = around.centre - at;
-    by_gap.emplace_back(std::sqrt(Dot(d, d)) - around.radius, index);
+    work.by_gap.emplace_back(std::sqrt(Dot(d, d)) - around.radius, index);
   }
-  std::sort(by_gap.begin(), by_gap.end());
+  std::sort(work.by_gap.begin(), work.by_gap.end());
   near_.Clear();
   // What a single larger outline hides from wherever this is remembered need not be looked at.
   const Circle eye{at, kRemembered};
-  std::vector<const PlanarWorld::Outline*> screens;
-  for (const auto& [gap, index] : by_gap) {
+  std::array<const PlanarWorld::Outline*, kMostScreens> screens;
+  std::size_t count = 0;
+  for (const auto& [gap, index] : work.by_gap) {
     const PlanarWorld::Outline& outline = world.outlines()[index];
     const bool large = outline.around.radius > kLarge;
-    const bool hidden = std::any_of(screens.begin(), screens.end(), [&](const auto* screen) {
-      const auto hides = [&](const Circle& behind) {
-        return Hides(world.Corners(*screen), screen->around, eye, behind);
-      };
-      // What a convex outline hides from a point is convex, so the corners stand for all.
-      if (!large) return hides(outline.around);
-      const std::span<const Vec2> corners = world.Corners(outline);
-      return std::all_of(corners.begin(), corners.end(), [&](Vec2 corner) {
-        return hides({corner, 0.0});
-      });
-    });
+    const bool hidden =
+        std::any_of(screens.begin(), screens.begin() + count, [&](const auto* screen) {
+          const auto hides = [&](const Circle& behind) {
+            return Hides(world.Corners(*screen), screen->around, eye, behind);
+          };
+          // What a convex outline hides from a point is convex, so the corners stand for all.
+          if (!large) return hides(outline.around);
+          const std::span<const Vec2> corners = world.Corners(outline);
+          return std::all_of(corners.begin(), corners.end(), [&](Vec2 corner) {
+            return hides({corner, 0.0});
+          });
+        });
     if (hidden) continue;
     near_.Add(world, outline, gap);
-    if (large && screens.size() < kMostScreens) screens.push_back(&outline);
+    if (large && count < kMostScreens) screens[count++] = &outline;
   }
   near_.Finish();
 }

@@ -87,7 +87,7 @@ class PlanarScanner {
   struct Work;    // the beam buffer and other scratch; scanners of a thread share one
   struct Kernel;  // the loops, compiled for two instruction sets
 
-  void FindNear(Vec2 at, const PlanarWorld& world);
+  void FindNear(Vec2 at, const PlanarWorld& world, Work& work);
 
   int count_;
   double first_angle_;  // rad, in (-pi, pi]

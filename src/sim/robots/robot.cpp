@@ -12,6 +12,7 @@ Robot::Robot(const scene::RobotDef& def, int index)
       model_(scene::FindRobotModel(def.type)),
       footprint_(Footprint::Make(model_.footprint)),
       index_(index) {
+  outline_.outline.reserve(footprint_.outline.size());
   Place(def_.pose);
   hash_.Add(name());
 }
