@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "tools/fleet_bench.h"
+#include "tools/rays_bench.h"
 #include "tools/run_command.h"
 
 int main(int argc, char** argv) {
@@ -92,8 +93,16 @@ int main(int argc, char** argv) {
   fleet_command
       ->add_option("--threads", fleet.threads,
                    "that share the work; 0: as many as are sensible  [0]")
-      ->check(CLI::Range(0, 256));
+      ->check(CLI::Range(0, 256))
+      ->type_name("T");
   fleet_command->add_flag("--json", fleet.json, "one JSON object instead of a table");
+  ccmorse::tools::RaysArguments rays;
+  CLI::App* const rays_command =
+      bench_command->add_subcommand("rays", "scans on one core, in two arenas");
+  rays_command->add_option("--seconds", rays.seconds, "wall-clock time for each figure  [1]")
+      ->check(CLI::Range(0.01, 1e3))
+      ->type_name("S");
+  rays_command->add_flag("--json", rays.json, "one JSON object instead of a table");
 
   try {
     app.parse(argc, argv);
@@ -106,6 +115,7 @@ int main(int argc, char** argv) {
       return 0;
     }
     if (list_command->parsed()) return ccmorse::tools::ListScenarios();
+    if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);
     if (fleet_command->parsed()) return ccmorse::tools::BenchFleet(fleet);
     return ccmorse::tools::Run(run);
   } catch (const ccmorse::Error& error) {
