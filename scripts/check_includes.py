@@ -44,6 +44,7 @@ HEAVY = {
     "CLI/": r"src/tools/main\.cpp",
     "spdlog/": r"src/base/log\.cpp",
     "png.h": r"src/base/image\.cpp",
+    "zlib.h": r"src/wire/.*\.cpp",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')

@@ -34,6 +34,13 @@ Runner::Runner(sim::Simulation& simulation, const RunOptions& options)
       morse_(io_, simulation, Control(),
              {PaceName(options.pace), simulation.scenario().time.read_frequency}, options.morse) {}
 
+void Runner::AddWatcher(RunWatcher& watcher) {
+  watchers_.push_back(&watcher);
+  morse_.set_input_tap([this](const Input& input) {
+    for (RunWatcher* each : watchers_) each->Incoming(input);
+  });
+}
+
 RunControl Runner::Control() {
   RunControl control;
   control.quit = [this] { Stop(); };
@@ -80,14 +87,19 @@ bool Runner::Over() const {
 RunSummary Runner::Run() {
   start_ = pace_base_ = last_tick_ = WallClock::now();
   bool first = true;
+  bool sensed = false;
   while (!Over()) {
     simulation_.Sense();
+    sensed = true;
+    for (RunWatcher* watcher : watchers_) watcher->Sensed();
     morse_.Sensed();
     WaitForTurn();
     if (stop_) break;
     if (first) start_ = last_tick_ = WallClock::now();
     morse_.ApplyStreams();
     simulation_.Act();
+    sensed = false;
+    for (RunWatcher* watcher : watchers_) watcher->Acted();
     morse_.TimeAdvanced();
     CountTick();
     if (first && on_first_tick_) on_first_tick_();
@@ -97,6 +109,7 @@ RunSummary Runner::Run() {
   summary.simulated = simulation_.time();
   summary.wall = first ? 0.0 : std::chrono::duration<double>(WallClock::now() - start_).count();
   LetClientsFinish();
+  for (RunWatcher* watcher : watchers_) watcher->Ended(sensed);
   return summary;
 }
 

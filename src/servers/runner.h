@@ -5,8 +5,10 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "servers/morse/morse_server.h"
+#include "servers/run_watcher.h"
 #include "sim/simulation.h"
 
 namespace ccmorse::servers {
@@ -41,6 +43,10 @@ class Runner {
  public:
   /// Starts to listen. Throws Error (port taken).
   Runner(sim::Simulation& simulation, const RunOptions& options);
+
+  /// Lets it follow the run from now on, in the order of these calls; to be called before Run(). It
+  /// outlives the runner.
+  void AddWatcher(RunWatcher& watcher);
 
   /// Runs until the simulated time is over, a client calls `simulation quit`, or Stop().
   RunSummary Run();
@@ -77,6 +83,7 @@ class Runner {
   double mean_ = 0.0;            // s
   double squares_ = 0.0;         // s^2
   std::function<void()> on_first_tick_;
+  std::vector<RunWatcher*> watchers_;
 };
 
 }  // namespace ccmorse::servers

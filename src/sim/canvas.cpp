@@ -44,6 +44,7 @@ void Canvas::Resize(int width, int height) {
   const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   cells_.assign(count, kWhite);
   drawn_.assign(count, false);
+  ++revision_;
 }
 
 void Canvas::SetPixel(int x, int y, Color color, double alpha) {
@@ -53,6 +54,7 @@ void Canvas::SetPixel(int x, int y, Color color, double alpha) {
   cell = {Blend(color.r, cell.r, alpha), Blend(color.g, cell.g, alpha),
           Blend(color.b, cell.b, alpha)};
   drawn_[At(x, y)] = true;
+  ++revision_;
 }
 
 Color Canvas::GetPixel(int x, int y) const { return cells_[At(x, y)]; }
@@ -79,6 +81,18 @@ void Canvas::DrawLine(int x0, int y0, int x1, int y1, Color color, double alpha)
     const std::int64_t y = y0 + sign_y * (steep ? k : side);
     if (x < 0 || x >= width_ || y < 0 || y >= height_) continue;
     SetPixel(static_cast<int>(x), static_cast<int>(y), color, alpha);
+  }
+}
+
+void Canvas::AddToHash(StateHash& hash) const {
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      if (!IsDrawn(x, y)) continue;
+      const Color color = GetPixel(x, y);
+      hash.Add(static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
+      hash.Add(static_cast<std::uint64_t>(color.r) << 16 |
+               static_cast<std::uint64_t>(color.g) << 8 | color.b);
+    }
   }
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "base/image.h"
 #include "scene/scenario.h"
+#include "sim/state_hash.h"
 
 namespace ccmorse::sim {
 
@@ -36,6 +38,12 @@ class Canvas {
   /// the canvas is left out and costs nothing. Precondition: coordinates within +-1e9.
   void DrawLine(int x0, int y0, int x1, int y1, Color color, double alpha = 1.0);
 
+  /// Changes with every change of the canvas.
+  std::uint64_t revision() const { return revision_; }
+
+  /// Adds every cell that was drawn on, with its place and colour.
+  void AddToHash(StateHash& hash) const;
+
   /// Clear, in the resolution of the start.
   void Reset();
 
@@ -61,6 +69,7 @@ class Canvas {
   double world_y_;
   int width_ = 0;
   int height_ = 0;
+  std::uint64_t revision_ = 0;
   std::vector<Color> cells_;  // (height x width), row 0 at the bottom
   std::vector<bool> drawn_;   // (height x width)
 };

@@ -71,6 +71,11 @@ class Component {
 
  protected:
   void AddService(Service service) { services_.push_back(std::move(service)); }
+  /// A service that changes nothing simulated.
+  void AddQuery(Service service) {
+    service.changes_simulation = false;
+    services_.push_back(std::move(service));
+  }
   /// To be called when the data have changed at simulated time `time`, s.
   void DataChanged(double time);
 

@@ -50,6 +50,9 @@ struct Service {
   std::function<Json(Arguments)> run;                     ///< answers at once
   std::function<void(Arguments, Completion)> start = {};  ///< answers later
   std::function<const std::string&()> text = {};          ///< answers at once, ready-made JSON
+  /// False: a question, or a matter of the run around the simulation (its pace, its log, a file).
+  /// Calls of all others go into the run's record, so true is what is safe.
+  bool changes_simulation = true;
 };
 
 // Typed access to arguments. Each throws WrongArgument that names the parameter.

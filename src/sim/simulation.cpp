@@ -118,15 +118,7 @@ std::uint64_t Simulation::Hash() const {
   StateHash hash;
   hash.Add(tick_);
   for (const auto& robot : robots_) hash.Add(robot->hash().value());
-  for (int y = 0; y < canvas_.height(); ++y) {
-    for (int x = 0; x < canvas_.width(); ++x) {
-      if (!canvas_.IsDrawn(x, y)) continue;
-      const Color color = canvas_.GetPixel(x, y);
-      hash.Add(static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x));
-      hash.Add(static_cast<std::uint64_t>(color.r) << 16 |
-               static_cast<std::uint64_t>(color.g) << 8 | color.b);
-    }
-  }
+  canvas_.AddToHash(hash);
   return hash.value();
 }
 

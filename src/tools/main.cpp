@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "tools/fleet_bench.h"
 #include "tools/rays_bench.h"
+#include "tools/replay_command.h"
 #include "tools/run_command.h"
 
 int main(int argc, char** argv) {
@@ -21,6 +22,8 @@ int main(int argc, char** argv) {
       "  ccmorse run syrotek                      the SyRoTek arena with one S1R, in real time\n"
       "  ccmorse run docks --port 4100            13 robots in their docks, on another port\n"
       "  ccmorse run my_scene.json --pace lockstep --for 120 --picture out/run.png\n"
+      "  ccmorse run syrotek --record run.mcap    with a record of all that happens\n"
+      "  ccmorse replay run.mcap --verify         does that run come out the same again?\n"
       "  ccmorse list                             the scenarios there are\n"
       "`ccmorse run --help` explains the options of a run.");
 
@@ -70,12 +73,68 @@ int main(int argc, char** argv) {
       ->type_name("FILE.png");
   run_command->add_option("--report", run.report, "write the report of the run here as JSON")
       ->type_name("FILE.json");
+  CLI::Option* const record =
+      run_command
+          ->add_option("--record", run.record,
+                       "write the record of the run here, as MCAP (docs/records.md)")
+          ->type_name("FILE.mcap");
+  run_command
+      ->add_option("--record-data", run.record_data,
+                   "what the record shows beside what a replay needs: none, or a list of poses, "
+                   "all, sensors (s1r.hokuyo, or hokuyo of every robot)  [poses]")
+      ->needs(record)
+      ->type_name("LIST");
+  run_command
+      ->add_option("--hash-every", run.hash_every,
+                   "print the state hash every N ticks; a record has its hashes then, instead of "
+                   "every tick")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
+      ->type_name("N");
   run_command->add_flag("-q,--quiet", run.quiet, "print errors only");
   run_command->footer(
       "Examples:\n"
       "  ccmorse run syrotek --headless --pace lockstep --for 120\n"
       "  ccmorse run two_robots --port 0          prints the port it took\n"
+      "  ccmorse run syrotek --record run.mcap --record-data hokuyo,poses\n"
+      "  ccmorse replay run.mcap --verify         does it come out the same again?\n"
       "Ctrl-C ends a run and prints its report.");
+
+  ccmorse::tools::ReplayArguments replay;
+  CLI::App* const replay_command =
+      app.add_subcommand("replay", "simulate a recorded run again, from its inputs");
+  replay_command->add_option("record", replay.file, "what `ccmorse run --record` wrote")
+      ->required()
+      ->type_name("FILE");
+  CLI::Option* const verify = replay_command->add_flag(
+      "--verify", replay.verify,
+      "only say whether the run comes out the same, bit for bit; else the first tick and component "
+      "that differ");
+  replay_command
+      ->add_option("--speed", replay.speed, "simulated seconds per wall-clock second, or max  [1]")
+      ->check([](const std::string& text) -> std::string {
+        double factor = 0.0;
+        const char* const end = text.data() + text.size();
+        const auto read = std::from_chars(text.data(), end, factor);
+        const bool fine =
+            read.ec == std::errc{} && read.ptr == end && factor >= 0.001 && factor <= 1e6;
+        return fine || text == "max" ? "" : text + " is neither a factor from 0.001 to 1e6 nor max";
+      })
+      ->excludes(verify)
+      ->type_name("FACTOR");
+  replay_command->add_option("--from", replay.from, "where to begin  [0]")
+      ->check(CLI::Range(0.0, 1e9))
+      ->excludes(verify)
+      ->type_name("SECONDS");
+  replay_command->add_option("--to", replay.to, "where to stop  [the end]")
+      ->check(CLI::Range(0.0, 1e9))
+      ->excludes(verify)
+      ->type_name("SECONDS");
+  replay_command->footer(
+      "Examples:\n"
+      "  ccmorse replay run.mcap --verify         status 0: equal; 1: it differs; 2: no use\n"
+      "  ccmorse replay run.mcap --from 40 --speed 4\n"
+      "  ccmorse replay run.mcap --to 12.5 --speed max\n"
+      "docs/records.md tells what a record holds and how to open it elsewhere.");
 
   CLI::App* const list_command = app.add_subcommand("list", "list the scenarios");
 
@@ -114,6 +173,7 @@ int main(int argc, char** argv) {
       std::fputs(app.help().c_str(), stdout);
       return 0;
     }
+    if (replay_command->parsed()) return ccmorse::tools::Replay(replay);
     if (list_command->parsed()) return ccmorse::tools::ListScenarios();
     if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);
     if (fleet_command->parsed()) return ccmorse::tools::BenchFleet(fleet);

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "scene/scenario.h"
+#include "servers/record/recorder.h"
 #include "servers/runner.h"
 #include "sim/sensors/laser_scanner.h"
 #include "tools/top_view.h"
@@ -121,6 +122,23 @@ void WritePicture(const sim::Simulation& simulation, const std::string& path) {
   WritePng(RenderTopView(view), path);
 }
 
+// Prints the state hash every so many ticks.
+class HashPrinter : public servers::RunWatcher {
+ public:
+  HashPrinter(const sim::Simulation& simulation, std::uint64_t every)
+      : simulation_(simulation), every_(every) {}
+  void Acted() override {
+    if (simulation_.tick() % every_ != 0) return;
+    fmt::print("tick {:>9}  time {:>12.3f} s  hash {:016x}\n", simulation_.tick(),
+               simulation_.time(), simulation_.Hash());
+    std::fflush(stdout);
+  }
+
+ private:
+  const sim::Simulation& simulation_;
+  std::uint64_t every_;
+};
+
 }  // namespace
 
 int Run(const RunArguments& arguments) {
@@ -139,6 +157,7 @@ int Run(const RunArguments& arguments) {
   options.morse.first_stream_port = arguments.stream_port;
   PrepareFile(arguments.picture);
   PrepareFile(arguments.report);
+  PrepareFile(arguments.record);
   std::error_code failed;
   std::filesystem::create_directories(arguments.out, failed);
   if (failed) throw Error("cannot make the folder " + arguments.out + ": " + failed.message());
@@ -146,6 +165,15 @@ int Run(const RunArguments& arguments) {
   sim::Simulation simulation(std::move(scenario));
   simulation.canvas().set_picture_folder(arguments.out);
   servers::Runner runner(simulation, options);
+  std::optional<HashPrinter> printer;
+  if (arguments.hash_every && !arguments.quiet) {
+    runner.AddWatcher(printer.emplace(simulation, *arguments.hash_every));
+  }
+  std::optional<servers::Recorder> recorder;
+  if (!arguments.record.empty()) {
+    const servers::RecordOptions record{arguments.record_data, arguments.hash_every};
+    runner.AddWatcher(recorder.emplace(simulation, arguments.record, record));
+  }
 
   boost::asio::signal_set signals(runner.io(), SIGINT, SIGTERM, SIGHUP);
   signals.async_wait([&runner](boost::system::error_code error, int) {
@@ -183,8 +211,13 @@ int Run(const RunArguments& arguments) {
     WritePicture(simulation, arguments.picture);
     if (!arguments.quiet) fmt::print("picture      {}\n", arguments.picture);
   }
+  if (recorder && recorder->failure().empty() && !arguments.quiet) {
+    fmt::print("record       {}, {:.1f} MB\n", recorder->file(),
+               static_cast<double>(recorder->bytes()) * 1e-6);
+  }
   if (!arguments.quiet) fmt::print("EXITING SIMULATION\n");
   std::fflush(stdout);
+  if (recorder && !recorder->failure().empty()) throw Error(recorder->failure());
   return 0;
 }
 

@@ -17,9 +17,12 @@ struct RunArguments {
   int port = 4000;                   ///< 0: any free one
   int stream_port = 60000;           ///< 0: any free ones
   std::string bind = "127.0.0.1";
-  std::string out = ".";  ///< folder for pictures that clients save
-  std::string picture;    ///< PNG of the arena from above at the end; "": none
-  std::string report;     ///< JSON file; "": none
+  std::string out = ".";                    ///< folder for pictures that clients save
+  std::string picture;                      ///< PNG of the arena from above at the end; "": none
+  std::string report;                       ///< JSON file; "": none
+  std::string record;                       ///< MCAP file; "": none
+  std::string record_data = "poses";        ///< servers::RecordOptions::data
+  std::optional<std::uint64_t> hash_every;  ///< ticks, > 0
   bool quiet = false;
 };
 

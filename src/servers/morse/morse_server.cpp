@@ -410,10 +410,7 @@ class MorseServer::ServiceConnection
       const auto [first, last] = connection->pending_.equal_range(id);
       for (auto entry = first; entry != last; ++entry) components.push_back(entry->second);
     }
-    for (const std::string& name : components) {
-      sim::Component* component = shared_.simulation.FindComponent(name);
-      if (component != nullptr) component->Interrupt();
-    }
+    for (const std::string& name : components) shared_.directory.Interrupt(name);
   }
 
   // The services of docs/protocols/ccmorse-services.md.
@@ -590,7 +587,7 @@ class MorseServer::StreamPort : public std::enable_shared_from_this<MorseServer:
       if (!client->newest) continue;
       const std::string line = *std::exchange(client->newest, std::nullopt);
       try {
-        actuator_->Receive(Json::Parse(line));
+        shared_.directory.Receive(*actuator_, Json::Parse(line));
       } catch (const std::exception& error) {
         shared_.warnings.Warn("{}: a stream message was ignored: {}", component_.full_name(),
                               error.what());
@@ -741,6 +738,10 @@ void MorseServer::Sensed() {
   }
   const std::vector connections(shared_->connections.begin(), shared_->connections.end());
   for (const auto& connection : connections) connection->Sensed();
+}
+
+void MorseServer::set_input_tap(ServiceDirectory::InputTap tap) {
+  shared_->directory.set_input_tap(std::move(tap));
 }
 
 void MorseServer::ApplyStreams() {

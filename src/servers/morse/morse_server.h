@@ -49,6 +49,9 @@ class MorseServer {
   /// Stops listening and lets all clients go, so that the ports are free.
   void Close();
 
+  /// See ServiceDirectory::set_input_tap.
+  void set_input_tap(ServiceDirectory::InputTap tap);
+
   /// After Simulation::Sense(): sends the streams, and answers each `read` whose time has come.
   void Sensed();
   /// Before Simulation::Act(): gives actuators the newest line of their streams.

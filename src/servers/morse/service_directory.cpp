@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/error.h"
 #include "base/log.h"
 #include "base/polygon.h"
 #include "base/trig.h"
@@ -92,28 +93,35 @@ void ServiceDirectory::Add(const std::string& component, Service service) {
   services_[component].insert_or_assign(std::move(name), std::move(service));
 }
 
+void ServiceDirectory::AddQuery(const std::string& component, Service service) {
+  service.changes_simulation = false;
+  Add(component, std::move(service));
+}
+
+const Service* ServiceDirectory::Find(std::string_view component, std::string_view service) const {
+  const auto table = services_.find(component);
+  if (table == services_.end()) return nullptr;
+  const auto entry = table->second.find(service);
+  return entry == table->second.end() ? nullptr : &entry->second;
+}
+
 void ServiceDirectory::Call(std::string_view component, std::string_view service,
                             std::string_view parameters, sim::Completion done) {
   const std::string name(service);
   const auto fail = [&done](std::string text) { done({Outcome::kFailed, Json(std::move(text))}); };
 
-  const auto table = services_.find(component);
-  const Service* found = nullptr;
-  if (table != services_.end()) {
-    const auto entry = table->second.find(service);
-    if (entry != table->second.end()) found = &entry->second;
-  }
+  const Service* const found = Find(component, service);
   if (found == nullptr) {
     return fail("The request " + name + " has not been registered in Socket service manager");
   }
 
-  Json::Array arguments;
+  Json given(Json::Array{});
   if (!parameters.empty()) {
     std::string reason;
     try {
       Json parsed = Json::Parse(parameters);
       if (parsed.IsArray()) {
-        arguments = std::move(parsed.AsArray());
+        given = std::move(parsed);
       } else {
         reason = std::string("Expecting a list, not ") + parsed.TypeName();
       }
@@ -126,12 +134,16 @@ void ServiceDirectory::Call(std::string_view component, std::string_view service
                   std::string(parameters.substr(0, kShown)) + ". " + reason);
     }
   }
+  const Json::Array& arguments = given.AsArray();
   const std::string complaint = ArityComplaint(*found, arguments.size());
   if (!complaint.empty()) {
     return fail(arguments.empty() ? "Socket service manager: parameters expected for service " +
                                         name + "! " + complaint
                                   : "Socket service manager: wrong # of parameters for service " +
                                         name + ". " + complaint);
+  }
+  if (input_tap_ && found->changes_simulation) {
+    input_tap_({Input::Kind::kService, component, service, given.Dump()});
   }
   try {
     if (found->text) {
@@ -152,37 +164,80 @@ void ServiceDirectory::Call(std::string_view component, std::string_view service
   }
 }
 
+void ServiceDirectory::Receive(sim::Actuator& actuator, const Json& message) {
+  if (input_tap_) {
+    input_tap_({Input::Kind::kStream, actuator.full_name(), {}, message.Dump()});
+  }
+  actuator.Receive(message);
+}
+
+void ServiceDirectory::Interrupt(std::string_view component) {
+  sim::Component* const found = simulation_.FindComponent(component);
+  if (found == nullptr) return;
+  if (input_tap_) input_tap_({Input::Kind::kInterrupt, component, {}, ""});
+  found->Interrupt();
+}
+
+void ServiceDirectory::Apply(const Input& input) {
+  switch (input.kind) {
+    case Input::Kind::kService: {
+      const Service* const service = Find(input.component, input.service);
+      if (service == nullptr || !service->changes_simulation) break;
+      Call(input.component, input.service, input.arguments, [](const sim::ServiceResult&) {});
+      return;
+    }
+    case Input::Kind::kStream: {
+      auto* const actuator =
+          dynamic_cast<sim::Actuator*>(simulation_.FindComponent(input.component));
+      if (actuator == nullptr) break;
+      try {
+        Receive(*actuator, Json::Parse(input.arguments));
+      } catch (const WrongArgument&) {
+        // It was turned down when it came, too.
+      }
+      return;
+    }
+    case Input::Kind::kInterrupt:
+      if (simulation_.FindComponent(input.component) == nullptr) break;
+      Interrupt(input.component);
+      return;
+  }
+  throw Error("no input of a run: '" + std::string(input.component) + " " +
+              std::string(input.service) + "'");
+}
+
 void ServiceDirectory::AddComponentServices(sim::Component& component) {
   const std::string& full_name = component.full_name();
   for (const Service& service : component.services()) Add(full_name, service);
   if (dynamic_cast<sim::Sensor*>(&component) != nullptr) {
-    Add(full_name, {"get_local_data", {}, nullptr, nullptr, [&component]() -> const std::string& {
-                      return component.LocalData();
-                    }});
+    AddQuery(full_name,
+             {"get_local_data", {}, nullptr, nullptr, [&component]() -> const std::string& {
+                return component.LocalData();
+              }});
   }
-  Add(full_name, {"get_configurations", {}, [&component](Arguments) {
-                    Json configurations = component.Configurations();
-                    configurations.Set(
-                        "object_to_robot",
-                        Json::Object{{"rotation", Json::Array{Json::Array{1.0, 0.0, 0.0},
-                                                              Json::Array{0.0, 1.0, 0.0},
-                                                              Json::Array{0.0, 0.0, 1.0}}},
-                                     {"translation", ToJson(component.mount())}});
-                    return Json(Json::Object{{"configurations", std::move(configurations)}});
-                  }});
-  Add(full_name, {"get_properties", {}, [&component](Arguments) {
-                    // [value, type, doc, python attribute], as MORSE lists a property.
-                    Json properties(Json::Object{});
-                    const Json configurations = component.Configurations();
-                    for (const auto& [key, value] : configurations.AsObject()) {
-                      const char* const type = value.IsBool()     ? "bool"
-                                               : value.IsInt()    ? "int"
-                                               : value.IsNumber() ? "float"
-                                                                  : "string";
-                      properties.Set(key, Json::Array{value, type, "", key});
-                    }
-                    return Json(Json::Object{{"properties", std::move(properties)}});
-                  }});
+  AddQuery(full_name, {"get_configurations", {}, [&component](Arguments) {
+                         Json configurations = component.Configurations();
+                         configurations.Set(
+                             "object_to_robot",
+                             Json::Object{{"rotation", Json::Array{Json::Array{1.0, 0.0, 0.0},
+                                                                   Json::Array{0.0, 1.0, 0.0},
+                                                                   Json::Array{0.0, 0.0, 1.0}}},
+                                          {"translation", ToJson(component.mount())}});
+                         return Json(Json::Object{{"configurations", std::move(configurations)}});
+                       }});
+  AddQuery(full_name, {"get_properties", {}, [&component](Arguments) {
+                         // [value, type, doc, python attribute], as MORSE lists a property.
+                         Json properties(Json::Object{});
+                         const Json configurations = component.Configurations();
+                         for (const auto& [key, value] : configurations.AsObject()) {
+                           const char* const type = value.IsBool()     ? "bool"
+                                                    : value.IsInt()    ? "int"
+                                                    : value.IsNumber() ? "float"
+                                                                       : "string";
+                           properties.Set(key, Json::Array{value, type, "", key});
+                         }
+                         return Json(Json::Object{{"properties", std::move(properties)}});
+                       }});
   Add(full_name,
       {"set_property", {{"name"}, {"value"}}, [&component](Arguments arguments) -> Json {
          const std::string& property = sim::StringArgument(arguments, 0, "name");
@@ -209,26 +264,30 @@ void ServiceDirectory::AddSimulationServices() {
                           std::function<Json(Arguments)> run) {
     Add("simulation", {name, std::move(parameters), std::move(run)});
   };
-  add("list_robots", {}, [this](Arguments) {
+  const auto add_query = [this](const char* name, std::vector<sim::ServiceParameter> parameters,
+                                std::function<Json(Arguments)> run) {
+    AddQuery("simulation", {name, std::move(parameters), std::move(run)});
+  };
+  add_query("list_robots", {}, [this](Arguments) {
     Json::Array names;
     for (const auto& robot : simulation_.robots()) names.push_back(robot->name());
     return Json(std::move(names));
   });
-  add("list_streams", {}, [this](Arguments) {
+  add_query("list_streams", {}, [this](Arguments) {
     Json::Array names;
     for (const sim::Component* component : simulation_.components()) {
       if (HasStream(*component)) names.push_back(component->full_name());
     }
     return Json(std::move(names));
   });
-  add("get_stream_port", {{"name"}}, [this](Arguments arguments) {
+  add_query("get_stream_port", {{"name"}}, [this](Arguments arguments) {
     const std::string& name = sim::StringArgument(arguments, 0, "name");
     const sim::Component* component = simulation_.FindComponent(name);
     const int port = component == nullptr ? 0 : control_.stream_port(*component);
     if (port == 0) throw ServiceFailed("Stream unavailable for component " + name);
     return Json(port);
   });
-  add("get_all_stream_ports", {}, [this](Arguments) {
+  add_query("get_all_stream_ports", {}, [this](Arguments) {
     Json ports(Json::Object{});
     for (const sim::Component* component : simulation_.components()) {
       const int port = control_.stream_port(*component);
@@ -236,13 +295,13 @@ void ServiceDirectory::AddSimulationServices() {
     }
     return ports;
   });
-  add("details", {}, [this](Arguments) { return Details(); });
+  add_query("details", {}, [this](Arguments) { return Details(); });
   add("reset_objects", {}, [this](Arguments) {
     simulation_.ResetObjects();
     return Json("Objects restored to initial position");
   });
   for (const char* name : {"quit", "terminate"}) {
-    add(name, {}, [this](Arguments) {
+    add_query(name, {}, [this](Arguments) {
       control_.quit();
       return Json();
     });
@@ -263,7 +322,7 @@ void ServiceDirectory::AddSimulationServices() {
     simulation_.set_physics(true);
     return Json("Physics is resumed");
   });
-  add("set_log_level", {{"component"}, {"level"}}, [](Arguments arguments) {
+  add_query("set_log_level", {{"component"}, {"level"}}, [](Arguments arguments) {
     sim::StringArgument(arguments, 0, "component");
     const std::string& level = sim::StringArgument(arguments, 1, "level");
     static const std::map<std::string, LogLevel> kLevels = {{"DEBUG", LogLevel::kDebug},
@@ -276,7 +335,7 @@ void ServiceDirectory::AddSimulationServices() {
     SetLogLevel(found->second);
     return Json();
   });
-  add("get_scene_objects", {}, [this](Arguments) { return SceneObjects(); });
+  add_query("get_scene_objects", {}, [this](Arguments) { return SceneObjects(); });
   add("set_object_position", {{"object_name"}, {"position"}, {"orientation", true}},
       [this](Arguments arguments) {
         PlaceObject(arguments);
@@ -286,7 +345,7 @@ void ServiceDirectory::AddSimulationServices() {
     camera_ = PointArgument(arguments, 0, "position");
     return ToJson(camera_);
   });
-  add("get_camarafp_position", {}, [this](Arguments) { return ToJson(camera_); });
+  add_query("get_camarafp_position", {}, [this](Arguments) { return ToJson(camera_); });
 }
 
 Json ServiceDirectory::Details() const {
@@ -365,7 +424,7 @@ void ServiceDirectory::PlaceObject(Arguments arguments) {
 void ServiceDirectory::AddTimeServices() {
   const auto add = [this](const char* name, std::vector<sim::ServiceParameter> parameters,
                           std::function<Json(Arguments)> run) {
-    Add("time", {name, std::move(parameters), std::move(run)});
+    AddQuery("time", {name, std::move(parameters), std::move(run)});
   };
   add("mode", {}, [this](Arguments) { return Json(control_.time_mode()); });
   add("now", {}, [this](Arguments) { return Json(simulation_.time()); });
@@ -377,7 +436,8 @@ void ServiceDirectory::AddTimeServices() {
     }
     return Json(control_.set_time_scale(factor));
   });
-  Add("time",
+  AddQuery(
+      "time",
       {"sleep", {{"delay"}}, nullptr, [this](Arguments arguments, sim::Completion done) {
          const double delay = sim::NumberArgument(arguments, 0, "delay");
          if (sleeper_) {
@@ -396,27 +456,27 @@ void ServiceDirectory::TimeAdvanced() {
 }
 
 void ServiceDirectory::AddCommunicationServices() {
-  Add("communication",
-      {"distance_and_view", {{"robot1"}, {"robot2"}}, [this](Arguments arguments) {
-         const auto find = [this](const std::string& name) -> const sim::Robot& {
-           const sim::Robot* robot = simulation_.FindRobot(name);
-           if (robot == nullptr) {
-             throw ServiceFailed(name + " does not exist in the simulation ");
-           }
-           return *robot;
-         };
-         const sim::Robot& one = find(sim::StringArgument(arguments, 0, "robot1"));
-         const sim::Robot& other = find(sim::StringArgument(arguments, 1, "robot2"));
-         const Vec2 from{one.pose().x, one.pose().y};
-         const Vec2 way = Vec2{other.pose().x, other.pose().y} - from;
-         const double distance = std::sqrt(Dot(way, way));
-         int hit = one.index();
-         if (distance > 0.0) {
-           simulation_.world().CastRay(from, (1.0 / distance) * way, one.position().z, distance,
-                                       one.index(), &hit);
-         }
-         return Json(Json::Array{distance, hit == other.index()});
-       }});
+  AddQuery("communication",
+           {"distance_and_view", {{"robot1"}, {"robot2"}}, [this](Arguments arguments) {
+              const auto find = [this](const std::string& name) -> const sim::Robot& {
+                const sim::Robot* robot = simulation_.FindRobot(name);
+                if (robot == nullptr) {
+                  throw ServiceFailed(name + " does not exist in the simulation ");
+                }
+                return *robot;
+              };
+              const sim::Robot& one = find(sim::StringArgument(arguments, 0, "robot1"));
+              const sim::Robot& other = find(sim::StringArgument(arguments, 1, "robot2"));
+              const Vec2 from{one.pose().x, one.pose().y};
+              const Vec2 way = Vec2{other.pose().x, other.pose().y} - from;
+              const double distance = std::sqrt(Dot(way, way));
+              int hit = one.index();
+              if (distance > 0.0) {
+                simulation_.world().CastRay(from, (1.0 / distance) * way, one.position().z,
+                                            distance, one.index(), &hit);
+              }
+              return Json(Json::Array{distance, hit == other.index()});
+            }});
 }
 
 }  // namespace ccmorse::servers

@@ -25,6 +25,20 @@ struct RunControl {
   std::function<bool(double)> set_time_scale;
 };
 
+/// Something from outside that changes what is simulated. The views live for the call that hands
+/// them on.
+struct Input {
+  enum class Kind {
+    kService,    ///< a call of a service
+    kStream,     ///< a message of an actuator's stream
+    kInterrupt,  ///< the end of a component's asynchronous service (`cancel`)
+  };
+  Kind kind = Kind::kService;
+  std::string_view component;  ///< "s1r.motion", or "simulation"
+  std::string_view service;    ///< of a call
+  std::string arguments;       ///< JSON: the list of a call's arguments, or the stream's message
+};
+
 /// Every service that can be called over MORSE's socket protocol, by component and name, with
 /// MORSE's rules for parameters and its error texts (specs: morse.md A.5, A.8-A.11). Knows no
 /// socket.
@@ -37,6 +51,23 @@ class ServiceDirectory {
   /// result.
   void Call(std::string_view component, std::string_view service, std::string_view parameters,
             sim::Completion done);
+
+  /// Gives an actuator a message of its stream. Throws WrongArgument when it is not what the
+  /// actuator needs.
+  void Receive(sim::Actuator& actuator, const Json& message);
+
+  /// Ends the running asynchronous service of a component as PREEMPTED; nothing where none runs or
+  /// there is no such component.
+  void Interrupt(std::string_view component);
+
+  /// Is told of every input in the order in which they are applied, just before each. The three
+  /// functions above are the only door for what comes from outside.
+  using InputTap = std::function<void(const Input&)>;
+  void set_input_tap(InputTap tap) { input_tap_ = std::move(tap); }
+
+  /// Applies an input as it was when the tap was told of it; whatever it answers is dropped. Throws
+  /// Error when it is none that a tap is ever told of.
+  void Apply(const Input& input);
 
   /// To be called after each Act(): wakes those whose `time sleep` is over.
   void TimeAdvanced();
@@ -53,6 +84,9 @@ class ServiceDirectory {
   void AddTimeServices();
   void AddCommunicationServices();
   void Add(const std::string& component, sim::Service service);
+  /// The same for one that changes nothing simulated.
+  void AddQuery(const std::string& component, sim::Service service);
+  const sim::Service* Find(std::string_view component, std::string_view service) const;
   Json Details() const;
   Json SceneObjects() const;
   void PlaceObject(sim::Arguments arguments);
@@ -64,6 +98,7 @@ class ServiceDirectory {
   Vec3 camera_;
   double alarm_ = 0.0;  // s, simulated; of the one sleeper
   sim::Completion sleeper_;
+  InputTap input_tap_;
 };
 
 }  // namespace ccmorse::servers

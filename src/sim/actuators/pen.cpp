@@ -61,11 +61,11 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
                                  ColorArgument(arguments, 2), AlphaArgument(arguments, 5));
                 return Json();
               }});
-  AddService({"get_pixel", {{"x"}, {"y"}}, [this](Arguments arguments) {
-                return ToJson(
-                    canvas_.GetPixel(IntegerArgument(arguments, 0, "x", 0, canvas_.width() - 1),
-                                     IntegerArgument(arguments, 1, "y", 0, canvas_.height() - 1)));
-              }});
+  AddQuery({"get_pixel", {{"x"}, {"y"}}, [this](Arguments arguments) {
+              return ToJson(
+                  canvas_.GetPixel(IntegerArgument(arguments, 0, "x", 0, canvas_.width() - 1),
+                                   IntegerArgument(arguments, 1, "y", 0, canvas_.height() - 1)));
+            }});
   AddService({"set_line",
               {{"x0"}, {"y0"}, {"x1"}, {"y1"}, {"r"}, {"g"}, {"b"}, alpha},
               [this](Arguments arguments) {
@@ -75,10 +75,10 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
                 return Json();
               }});
   // Written straight to text: as a tree of values a large canvas would hold up the tick.
-  AddService({"get_image_data", {}, nullptr, nullptr, [this]() -> const std::string& {
-                WriteImageData();
-                return image_data_;
-              }});
+  AddQuery({"get_image_data", {}, nullptr, nullptr, [this]() -> const std::string& {
+              WriteImageData();
+              return image_data_;
+            }});
   AddService({"set_image_data", {{"pixels"}}, [this](Arguments arguments) {
                 const Json::Array& pixels = ListArgument(arguments, "pixels");
                 const auto cells = static_cast<std::size_t>(canvas_.width()) *
@@ -114,17 +114,17 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
                                IntegerArgument(arguments, 1, "height", 1, kMostCells));
                 return Json();
               }});
-  AddService({"get_size", {}, [this](Arguments) {
-                return Json(Json::Array{canvas_.width(), canvas_.height()});
-              }});
-  AddService({"get_cell_size", {}, [this](Arguments) { return Json(canvas_.cell_size()); }});
-  AddService({"save_image_copy", {{"name"}}, [this](Arguments arguments) {
-                try {
-                  return Json(canvas_.SaveCopy(StringArgument(arguments, 0, "name")));
-                } catch (const Error& error) {
-                  throw ServiceFailed(error.what());
-                }
-              }});
+  AddQuery({"get_size", {}, [this](Arguments) {
+              return Json(Json::Array{canvas_.width(), canvas_.height()});
+            }});
+  AddQuery({"get_cell_size", {}, [this](Arguments) { return Json(canvas_.cell_size()); }});
+  AddQuery({"save_image_copy", {{"name"}}, [this](Arguments arguments) {
+              try {
+                return Json(canvas_.SaveCopy(StringArgument(arguments, 0, "name")));
+              } catch (const Error& error) {
+                throw ServiceFailed(error.what());
+              }
+            }});
 }
 
 void Pen::WriteImageData() {

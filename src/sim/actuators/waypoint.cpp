@@ -41,7 +41,7 @@ Waypoint::Waypoint(Robot& robot, const std::string& name)
                 if (has_target_) DriveTo(target_);
                 return Json();
               }});
-  AddService({"get_status", {}, [this](Arguments) { return Json(status_); }});
+  AddQuery({"get_status", {}, [this](Arguments) { return Json(status_); }});
 }
 
 // Nobody is left to answer when the simulation is taken down.
