@@ -12,10 +12,12 @@ packages_of() {
 
 # install_packages SECTION...: what is missing, with sudo only if we are not root.
 install_packages() {
+  # What an installed package provides is there, too: other builds of nodejs bring npm along.
+  present=$(dpkg-query -W -f '${db:Status-Status}, ${Package}, ${Provides}\n' |
+    sed -n 's/^installed, //p' | tr ', ' '\n\n')
   missing=
   for package in $(packages_of "$@"); do
-    state=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null) || state=
-    [ "$state" = "install ok installed" ] || missing="$missing $package"
+    printf '%s\n' "$present" | grep -qxF "$package" || missing="$missing $package"
   done
   [ -z "$missing" ] && return 0
   say "Installing what is missing:$missing"
@@ -30,6 +32,14 @@ install_packages() {
   $sudo apt-get update -qq
   # shellcheck disable=SC2086  # a list of words
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
+}
+
+# install_npm_packages FOLDER: exactly what its package-lock.json says, unless that is there.
+install_npm_packages() {
+  installed=$1/node_modules/.package-lock.json
+  [ -f "$installed" ] && [ ! "$1/package-lock.json" -nt "$installed" ] && return 0
+  say "Installing the npm packages of $1"
+  npm ci --prefix "$1" --no-audit --no-fund
 }
 
 # build PRESET [cmake options]: configures once, then builds what has changed.

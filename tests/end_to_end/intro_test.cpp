@@ -21,15 +21,23 @@ struct Outcome {
   int status = -1;
 };
 
+// Replays a record; it must come out as it was.
+void ExpectVerified(const std::string& record) {
+  const Finished verify = RunToEnd({BuiltProgram("ccmorse"), "replay", record, "--verify"});
+  EXPECT_EQ(verify.status, 0) << verify.output;
+}
+
 Outcome RunIntro(const std::string& scenario, double seconds) {
   const TemporaryFolder folder;
   const std::string report = folder.path() + "/report.json";
   const std::string picture = folder.path() + "/picture.png";
+  const std::string record = folder.path() + "/run.mcap";
   Simulator simulator({scenario, "--pace", "lockstep", "--for", std::to_string(seconds), "--report",
-                       report, "--picture", picture});
+                       report, "--picture", picture, "--record", record});
   const Finished intro = RunToEnd(
       {BuiltProgram("intro"), "--host", "localhost", "--port", std::to_string(simulator.port())});
   EXPECT_EQ(simulator.process().Wait(), 0) << simulator.process().output();
+  ExpectVerified(record);
   return {Json::Parse(ReadFile(report)), ReadPng(picture), intro.output, intro.status};
 }
 
@@ -66,8 +74,9 @@ TEST(Determinism, TwoProgramsInLockstepAreEqualWhenTimeWaitsForBoth) {
   const auto run = [] {
     const TemporaryFolder folder;
     const std::string report = folder.path() + "/report.json";
-    Simulator simulator(
-        {"two_robots", "--pace", "lockstep", "--for", "20", "--clients", "2", "--report", report});
+    const std::string record = folder.path() + "/run.mcap";
+    Simulator simulator({"two_robots", "--pace", "lockstep", "--for", "20", "--clients", "2",
+                         "--report", report, "--record", record});
     const std::string port = std::to_string(simulator.port());
     Process one({BuiltProgram("intro"), "--port", port});
     Process two(
@@ -75,6 +84,7 @@ TEST(Determinism, TwoProgramsInLockstepAreEqualWhenTimeWaitsForBoth) {
     EXPECT_EQ(one.Wait(), 0) << one.output();
     EXPECT_EQ(two.Wait(), 0) << two.output();
     EXPECT_EQ(simulator.process().Wait(), 0);
+    ExpectVerified(record);
     return *Json::Parse(ReadFile(report)).Find("hash");
   };
   EXPECT_EQ(run(), run());

@@ -1,40 +1,58 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <memory>
 #include <string>
 #include <thread>
 
 #include "scene/scenario.h"
+#include "servers/record/recorder.h"
+#include "servers/record/replay.h"
 #include "servers/runner.h"
 #include "sim/simulation.h"
+#include "tests/support/process.h"
 
 namespace ccmorse::servers {
 
 /// A simulation served on free ports by a thread of its own, for tests that talk to it over
-/// sockets.
+/// sockets. Each run is recorded, and must come out the same when it is replayed at the end.
 class ServedSimulation {
  public:
   explicit ServedSimulation(const std::string& scenario, Pace pace = Pace::kRealTime,
                             double seconds = 0.0, const MorseServerOptions& limits = {},
-                            int clients = 1)
+                            int clients = 1, const RecordOptions& record = {})
       : simulation_(scene::ParseScenario(scenario, "test.json")),
+        recorder_(simulation_, folder_.path() + "/run.mcap", record),
         runner_(simulation_, Options(pace, seconds, limits, clients)),
         port_(runner_.morse().port()),
-        thread_([this] { summary_ = runner_.Run(); }) {}
+        thread_([this] {
+          runner_.AddWatcher(recorder_);
+          summary_ = runner_.Run();
+        }) {}
 
   ~ServedSimulation() {
     runner_.Stop();
     Join();
+    Replay replay(recorder_.file());
+    while (replay.Step()) {
+    }
+    EXPECT_TRUE(replay.info().complete);
+    EXPECT_EQ(replay.simulation().tick(), simulation_.tick());
+    EXPECT_EQ(replay.simulation().Hash(), simulation_.Hash());
+    EXPECT_FALSE(replay.difference())
+        << replay.difference()->component << " in tick " << replay.difference()->first_tick;
   }
 
   int port() const { return port_; }
 
-  /// Waits for the end of the run; the simulation may be looked at then.
+  /// Waits for the end of the run; the simulation and the record may be looked at then.
   RunSummary Join() {
     if (thread_.joinable()) thread_.join();
     return summary_;
   }
   const sim::Simulation& simulation() const { return simulation_; }
+  const std::string& record() const { return recorder_.file(); }
   MorseServer& server() { return runner_.morse(); }
 
  private:
@@ -44,7 +62,9 @@ class ServedSimulation {
     return {pace, 1.0, seconds, clients, limits};
   }
 
+  testing::TemporaryFolder folder_;
   sim::Simulation simulation_;
+  Recorder recorder_;
   Runner runner_;
   int port_;
   RunSummary summary_;

@@ -164,8 +164,9 @@ void Replay::ReadMessage() {
       message_ = Json::Parse(message.data);
       message_is_input_ = is_input;
       const std::uint64_t tick = Count(message_, "tick");
-      if (tick < message_tick_)
-        throw RecordError("its messages are not in the order of their ticks");
+      if (tick != TickOf(message.log_time, info_.scenario.time.frequency)) {
+        throw RecordError("the tick of a message is not that of its time");
+      }
       message_tick_ = tick;
       return;
     }
