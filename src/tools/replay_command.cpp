@@ -31,12 +31,13 @@ double Seconds(std::uint64_t tick, const servers::Replay& replay) {
 
 // What part of the simulation it is, in words.
 std::string Describe(const servers::Difference& difference) {
-  if (difference.component.empty()) return "the state as a whole";
-  if (!difference.driver.empty()) {
-    return fmt::format("{}, its pose or speed (driven by {})", difference.component,
-                       difference.driver);
-  }
-  return difference.component;
+  const std::string& component = difference.component;
+  if (component.empty()) return "the state as a whole";
+  const bool is_device = component.find('.') != std::string::npos;
+  if (is_device || component == "canvas") return component;
+  const std::string by =
+      difference.driver.empty() ? "" : fmt::format(" (driven by {})", difference.driver);
+  return component + ", its pose or speed" + by;
 }
 
 void PrintDifference(const servers::Replay& replay) {
