@@ -16,9 +16,9 @@ class ServedSimulation {
  public:
   explicit ServedSimulation(const std::string& scenario, Pace pace = Pace::kRealTime,
                             double seconds = 0.0, const MorseServerOptions& limits = {},
-                            int clients = 1)
+                            int clients = 1, double client_timeout = 10.0)
       : simulation_(scene::ParseScenario(scenario, "test.json")),
-        runner_(simulation_, Options(pace, seconds, limits, clients)),
+        runner_(simulation_, Options(pace, seconds, limits, clients, client_timeout)),
         port_(runner_.morse().port()),
         thread_([this] { summary_ = runner_.Run(); }) {}
 
@@ -38,10 +38,11 @@ class ServedSimulation {
   MorseServer& server() { return runner_.morse(); }
 
  private:
-  static RunOptions Options(Pace pace, double seconds, MorseServerOptions limits, int clients) {
+  static RunOptions Options(Pace pace, double seconds, MorseServerOptions limits, int clients,
+                            double client_timeout) {
     limits.port = 0;
     limits.first_stream_port = 0;
-    return {pace, 1.0, seconds, clients, limits};
+    return {pace, 1.0, seconds, clients, limits, client_timeout};
   }
 
   sim::Simulation simulation_;

@@ -52,6 +52,10 @@ std::string ArityComplaint(const Service& service, std::size_t given) {
          (given == 0 ? " was" : " were") + " given";
 }
 
+void Fail(const sim::Completion& done, std::string text) {
+  done({Outcome::kFailed, Json(std::move(text))});
+}
+
 constexpr double kFarthest = 1000.0;  // m, as in a scenario; more is a mistake in the unit
 
 Vec3 PointArgument(Arguments arguments, std::size_t index, const char* name) {
@@ -92,21 +96,24 @@ void ServiceDirectory::Add(const std::string& component, Service service) {
   services_[component].insert_or_assign(std::move(name), std::move(service));
 }
 
-void ServiceDirectory::Call(std::string_view component, std::string_view service,
-                            std::string_view parameters, sim::Completion done) {
-  const std::string name(service);
-  const auto fail = [&done](std::string text) { done({Outcome::kFailed, Json(std::move(text))}); };
-
+ServiceDirectory::Target ServiceDirectory::Find(std::string_view component,
+                                                std::string_view service) const {
   const auto table = services_.find(component);
-  const Service* found = nullptr;
-  if (table != services_.end()) {
-    const auto entry = table->second.find(service);
-    if (entry != table->second.end()) found = &entry->second;
-  }
-  if (found == nullptr) {
-    return fail("The request " + name + " has not been registered in Socket service manager");
-  }
+  if (table == services_.end()) return {};
+  const auto entry = table->second.find(service);
+  if (entry == table->second.end()) return {};
+  return {&table->first, &entry->second};
+}
 
+std::string ServiceDirectory::NotRegistered(std::string_view service) {
+  return "The request " + std::string(service) +
+         " has not been registered in Socket service manager";
+}
+
+void ServiceDirectory::Call(std::string_view component, std::string_view service,
+                            std::string_view parameters, const sim::Completion& done) {
+  const Target target = Find(component, service);
+  if (target.service == nullptr) return Fail(done, NotRegistered(service));
   Json::Array arguments;
   if (!parameters.empty()) {
     std::string reason;
@@ -122,33 +129,54 @@ void ServiceDirectory::Call(std::string_view component, std::string_view service
     }
     if (!reason.empty()) {
       constexpr std::size_t kShown = 1000;
-      return fail("Invalid request syntax: error while parsing the parameters: " +
-                  std::string(parameters.substr(0, kShown)) + ". " + reason);
+      return Fail(done, "Invalid request syntax: error while parsing the parameters: " +
+                            std::string(parameters.substr(0, kShown)) + ". " + reason);
     }
   }
-  const std::string complaint = ArityComplaint(*found, arguments.size());
+  Run(target, arguments, done);
+}
+
+void ServiceDirectory::Run(const Target& target, Arguments arguments, const sim::Completion& done) {
+  const Service& service = *target.service;
+  const std::string complaint = ArityComplaint(service, arguments.size());
   if (!complaint.empty()) {
-    return fail(arguments.empty() ? "Socket service manager: parameters expected for service " +
-                                        name + "! " + complaint
-                                  : "Socket service manager: wrong # of parameters for service " +
-                                        name + ". " + complaint);
+    return Fail(done, arguments.empty()
+                          ? "Socket service manager: parameters expected for service " +
+                                service.name + "! " + complaint
+                          : "Socket service manager: wrong # of parameters for service " +
+                                service.name + ". " + complaint);
   }
   try {
-    if (found->text) {
-      done({Outcome::kSuccess, Json(), found->text()});
-    } else if (found->run) {
-      Json value = found->run(arguments);
+    if (service.text) {
+      done({Outcome::kSuccess, Json(), service.text()});
+    } else if (service.run) {
+      Json value = service.run(arguments);
       done({Outcome::kSuccess, std::move(value)});
     } else {
-      found->start(arguments, done);
+      service.start(arguments, done);
     }
   } catch (const ServiceFailed& error) {
-    fail(error.what());
+    Fail(done, error.what());
   } catch (const WrongArgument& error) {
     // MORSE cannot tell the two apart in an asynchronous service, and its clients know it so.
-    fail(std::string("Socket service manager: wrong ") +
-         (found->start ? "# of parameters" : "parameter type") + " for service " + name + ". " +
-         error.what());
+    Fail(done, std::string("Socket service manager: wrong ") +
+                   (service.start ? "# of parameters" : "parameter type") + " for service " +
+                   service.name + ". " + error.what());
+  }
+}
+
+void ServiceDirectory::RunBytes(const Target& target, std::string_view bytes,
+                                const sim::Completion& done) {
+  const Service& service = *target.service;
+  try {
+    if (!service.bytes) throw WrongArgument("it takes no bytes");
+    service.bytes(bytes);
+    done({Outcome::kSuccess, Json()});
+  } catch (const ServiceFailed& error) {
+    Fail(done, error.what());
+  } catch (const WrongArgument& error) {
+    Fail(done, "Socket service manager: wrong parameter type for service " + service.name + ". " +
+                   error.what());
   }
 }
 

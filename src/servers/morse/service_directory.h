@@ -32,11 +32,25 @@ class ServiceDirectory {
  public:
   ServiceDirectory(sim::Simulation& simulation, RunControl control);
 
+  /// A service that was looked up once, to be called often. Valid as long as the directory.
+  struct Target {
+    const std::string* component = nullptr;  ///< full name
+    const sim::Service* service = nullptr;   ///< nullptr: there is none of that name
+  };
+  Target Find(std::string_view component, std::string_view service) const;
+  /// What a call of a service that is not there is answered with.
+  static std::string NotRegistered(std::string_view service);
+
   /// Runs a service; `done` is called once, now or when an asynchronous service ends. `parameters`
   /// is the raw text behind the service's name. Never throws on bad input: that is a kFailed
   /// result.
   void Call(std::string_view component, std::string_view service, std::string_view parameters,
-            sim::Completion done);
+            const sim::Completion& done);
+  /// The same with arguments that were parsed already: every call comes through here, or through
+  /// RunBytes(). Precondition: there is such a service.
+  void Run(const Target& target, sim::Arguments arguments, const sim::Completion& done);
+  /// The same for a service that takes bytes (sim::Service::bytes); kFailed when it does not.
+  void RunBytes(const Target& target, std::string_view bytes, const sim::Completion& done);
 
   /// To be called after each Act(): wakes those whose `time sleep` is over.
   void TimeAdvanced();
