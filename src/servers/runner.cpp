@@ -143,9 +143,8 @@ void Runner::WaitForClients() {
   // of them: so the thread stays awake for a moment, and leaves the processor to whoever wants it.
   const auto awake_until = WallClock::now() + kStayAwake;
   while (!stop_ && !morse_.ClientsAreWaiting(options_.clients)) {
-    if (io_.poll_one() > 0) continue;
+    if (io_.poll_one() == 0) std::this_thread::yield();
     if (WallClock::now() > awake_until) break;
-    std::this_thread::yield();
   }
   const auto limit = std::chrono::duration_cast<WallClock::duration>(
       std::chrono::duration<double>(options_.client_timeout));

@@ -1,6 +1,7 @@
 #include "wire/canvas_code.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "wire/fast_link.h"
@@ -15,14 +16,33 @@ constexpr std::size_t kLongest = (1U << kCountBits) - 1;
 constexpr std::size_t kShortestRun = 3;   // below, a run costs as much as its cells
 constexpr std::size_t kShortestKeep = 2;  // below, a stretch costs more than it saves
 
-void AppendHead(std::string& code, Stretch kind, std::size_t count) {
-  const auto head = static_cast<unsigned>(kind) << kCountBits | static_cast<unsigned>(count);
-  code += static_cast<char>(head & 0xFFU);
-  code += static_cast<char>(head >> 8U);
+std::uint32_t Cell(const std::uint8_t* cells, std::size_t index) {
+  const std::uint8_t* const cell = cells + index * kCellBytes;
+  return cell[0] | static_cast<std::uint32_t>(cell[1]) << 8U |
+         static_cast<std::uint32_t>(cell[2]) << 16U;
 }
 
-bool SameCell(const std::uint8_t* a, const std::uint8_t* b) {
-  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+// Passes over cells that are neither as they were nor like the next one, as nearly all are in a
+// picture full of detail; stops at the last cell of `count` at the latest. Reads four bytes at a
+// time: the next cell is there.
+std::size_t SkipLoose(const std::uint8_t* cells, const std::uint8_t* base, std::size_t at,
+                      std::size_t count) {
+  constexpr std::uint32_t kCell =
+      std::endian::native == std::endian::little ? 0xFFFFFF : 0xFFFFFF00;
+  const auto load = [](const std::uint8_t* from) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, from, sizeof word);
+    return word & kCell;
+  };
+  if (at + 1 >= count) return at;
+  std::uint32_t cell = load(cells + at * kCellBytes);
+  for (; at + 2 < count; ++at) {
+    if (base != nullptr && load(base + at * kCellBytes) == cell) break;
+    const std::uint32_t next = load(cells + (at + 1) * kCellBytes);
+    if (next == cell) break;
+    cell = next;
+  }
+  return at;
 }
 
 // Collects the cells of one rectangle, row by row, into stretches. A stretch may go on in the next
@@ -36,48 +56,52 @@ class StretchWriter {
 
   // `base` may be nullptr: then no cell is kept.
   void Row(const std::uint8_t* cells, const std::uint8_t* base, std::size_t count) {
-    std::size_t at = 0;
-    while (at < count) {
-      const std::uint8_t* const cell = cells + at * kCellBytes;
+    std::size_t written = 0;  // cells before it are in the code
+    for (std::size_t at = 0; at < count;) {
+      at = SkipLoose(cells, base, at, count);
+      const std::uint32_t cell = Cell(cells, at);
       std::size_t same = 0;
       if (base != nullptr) {
-        while (at + same < count &&
-               SameCell(cell + same * kCellBytes, base + (at + same) * kCellBytes)) {
-          ++same;
-        }
+        while (at + same < count && Cell(base, at + same) == Cell(cells, at + same)) ++same;
       }
-      if (same >= kShortestKeep || (same > 0 && kind_ == Stretch::kKeep && count_ > 0)) {
+      const std::size_t shortest_keep =
+          at == written && Continues(Stretch::kKeep, 0) ? 1 : kShortestKeep;
+      if (same >= shortest_keep) {
+        Add(Stretch::kCells, cells + written * kCellBytes, at - written);
         Add(Stretch::kKeep, nullptr, same);
-        at += same;
+        written = at += same;
         continue;
       }
       std::size_t run = 1;
-      while (at + run < count && SameCell(cell, cell + run * kCellBytes)) ++run;
-      const bool goes_on =
-          kind_ == Stretch::kRun && count_ > 0 &&
-          SameCell(cell, reinterpret_cast<const std::uint8_t*>(code_.data()) + code_.size() - 3);
-      if (run >= kShortestRun || goes_on) {
-        Add(Stretch::kRun, cell, run);
-      } else {
-        Add(Stretch::kCells, cell, run);
+      while (at + run < count && Cell(cells, at + run) == cell) ++run;
+      const std::size_t shortest_run =
+          at == written && Continues(Stretch::kRun, cell) ? 1 : kShortestRun;
+      if (run >= shortest_run) {
+        Add(Stretch::kCells, cells + written * kCellBytes, at - written);
+        Add(Stretch::kRun, cells + at * kCellBytes, run);
+        written = at + run;
       }
       at += run;
     }
+    Add(Stretch::kCells, cells + written * kCellBytes, count - written);
   }
 
  private:
+  // Whether more cells of the kind, and of the colour for a run, belong to the stretch that grows.
+  bool Continues(Stretch kind, std::uint32_t cell) const {
+    return kind == kind_ && count_ > 0 && count_ < kLongest &&
+           (kind != Stretch::kRun || cell == colour_);
+  }
+
   void Add(Stretch kind, const std::uint8_t* cells, std::size_t count) {
     while (count > 0) {
-      const bool continues =
-          kind == kind_ && count_ > 0 && count_ < kLongest &&
-          (kind != Stretch::kRun ||
-           SameCell(cells,
-                    reinterpret_cast<const std::uint8_t*>(code_.data()) + code_.size() - 3));
-      if (!continues) {
+      const std::uint32_t cell = kind == Stretch::kRun ? Cell(cells, 0) : 0;
+      if (!Continues(kind, cell)) {
         Finish();
         kind_ = kind;
+        colour_ = cell;
         head_ = code_.size();
-        AppendHead(code_, kind, 0);
+        code_.append(2, '\0');
         if (kind == Stretch::kRun) {
           code_.append(reinterpret_cast<const char*>(cells), kCellBytes);
         }
@@ -102,6 +126,7 @@ class StretchWriter {
 
   std::string& code_;
   Stretch kind_ = Stretch::kCells;
+  std::uint32_t colour_ = 0;  // of a run
   std::size_t count_ = 0;
   std::size_t head_ = 0;  // where the stretch's head stands
 };
@@ -169,8 +194,7 @@ void AppendChanges(std::string& code, const std::uint8_t* base, const std::uint8
       const std::uint8_t* const a = base + static_cast<std::size_t>(end) * row;
       const std::uint8_t* const b = image + static_cast<std::size_t>(end) * row;
       const auto same = [&](int x) {
-        const std::size_t at = static_cast<std::size_t>(x) * kCellBytes;
-        return SameCell(a + at, b + at);
+        return Cell(a, static_cast<std::size_t>(x)) == Cell(b, static_cast<std::size_t>(x));
       };
       int from = 0;
       while (from < first && same(from)) ++from;

@@ -117,7 +117,7 @@ class MorseServer::ServiceConnection
         frames_(wire::kMostClientFrame) {
     ErrorCode ignored;
     const tcp::endpoint peer = socket_.remote_endpoint(ignored);
-    name_ = peer.address().to_string() + ":" + std::to_string(peer.port());
+    address_ = name_ = peer.address().to_string() + ":" + std::to_string(peer.port());
   }
 
   void Start() { Read(); }
@@ -196,7 +196,6 @@ class MorseServer::ServiceConnection
 
   void Received() {
     heard_ = Clock::now();
-    if (read_waits_) AnswerPings();
     Process();
   }
 
@@ -217,7 +216,8 @@ class MorseServer::ServiceConnection
     serving_ = true;
     const auto until = Clock::now() + kTurn;
     wire::Frame next;
-    while (!held_back() && outbox_.size() <= shared_.options.most_unread && TakeNext(&next)) {
+    while (!left_ && !held_back() && outbox_.size() <= shared_.options.most_unread &&
+           TakeNext(&next)) {
       if (next.type == wire::FrameType::kLines) {
         Serve(next.payload);
       } else {
@@ -228,6 +228,7 @@ class MorseServer::ServiceConnection
         break;
       }
     }
+    if (read_waits_) AnswerPings();
     serving_ = false;
     if (left_) return;
     Flush();
@@ -417,6 +418,7 @@ class MorseServer::ServiceConnection
     try {
       const Json parsed = Json::Parse(parameters);
       if (!parsed.IsArray() || parsed.AsArray().empty()) return;
+      name_ = address_;
       for (const char* key : {"client", "program"}) {
         const Json* text = parsed.AsArray()[0].Find(key);
         if (text == nullptr || !text->IsString()) continue;
@@ -566,6 +568,7 @@ class MorseServer::ServiceConnection
   tcp::socket socket_;
   asio::steady_timer peek_timer_;
   Outbox outbox_;
+  std::string address_;
   std::string name_;
   wire::LineSplitter lines_;
   wire::FrameSplitter frames_;
