@@ -815,23 +815,26 @@ void MorseServer::EndReads(const std::string& reason) {
 }
 
 std::optional<Clock::time_point> MorseServer::LetHangingGo(Clock::duration limit) {
-  const std::vector connections(shared_->connections.begin(), shared_->connections.end());
   // Nobody waits for a client that is alone.
   auto waiting_since = Clock::time_point::max();
-  for (const auto& connection : connections) {
+  for (const auto& connection : shared_->connections) {
     if (!connection->read_outstanding()) continue;
     waiting_since = std::min(waiting_since, connection->read_since());
   }
   if (waiting_since == Clock::time_point::max()) return std::nullopt;
   const auto now = Clock::now();
   std::optional<Clock::time_point> next;
-  for (const auto& connection : connections) {
+  std::vector<std::shared_ptr<ServiceConnection>> hanging;
+  for (const auto& connection : shared_->connections) {
     if (!connection->reads() || connection->read_outstanding()) continue;
     const auto due = std::max(waiting_since, connection->heard()) + limit;
-    if (due > now) {
+    if (due <= now) {
+      hanging.push_back(connection);
+    } else {
       next = next ? std::min(*next, due) : due;
-      continue;
     }
+  }
+  for (const auto& connection : hanging) {
     LogWarning("client {} has sent nothing for {:g} s while others wait: it is let go",
                connection->name(), std::chrono::duration<double>(limit).count());
     connection->Leave();
