@@ -460,7 +460,7 @@ class MorseServer::ServiceConnection
     {
       wire::FrameWriter frame(outbox_.text(), wire::FrameType::kRefused);
       frame.Short(service);
-      frame.Bytes(reason.Dump());
+      if (!reason.IsFalsy()) frame.Bytes(reason.Dump());
     }
     if (!serving_) Flush();
   }
