@@ -55,11 +55,11 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
   // --- The server connection as Player's PlayerClient has it (thesis 3.1.3)
 
   /// Sends the commands that wait and brings fresh data of every polled device (thesis 3.3): one
-  /// message out, one query a device or, on a fast link, one for all that are in use; then the valid
-  /// and fresh flags of all proxies. It returns at
-  /// the next read time of the simulation, so it paces a loop. Throws MorseError when the
-  /// connection breaks, when the simulation has ended (see MorseError::SimulationEnded()), and,
-  /// after the data were taken, when the simulator refused an earlier command.
+  /// message out, one query a device or, on a fast link, one for all that are in use; then the
+  /// valid and fresh flags of all proxies. It returns at the next read time of the simulation, so
+  /// it paces a loop. Throws MorseError when the connection breaks, when the simulation has ended
+  /// (see MorseError::SimulationEnded()), and, after the data were taken, when the simulator
+  /// refused an earlier command.
   void Read();
   /// Whether Read() would find something without waiting; waits up to `timeout_ms` for it. In a
   /// simulation in lock-step time stands still between two reads, and at the pace "max" there is

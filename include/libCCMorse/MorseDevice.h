@@ -102,8 +102,8 @@ class MorseDevice {
     kOdometry,  ///< as kPose; vx, vy, vz, m/s; wx, wy, wz, rad/s; stall, 0 or 1
     kScan,      ///< ranges, m
   };
-  /// The form that OnNumbers() takes. A class derived from it may rely on OnData() alone, so a class
-  /// gives its form only where `typeid` says that it is this class itself.
+  /// The form that OnNumbers() takes. A class derived from it may rely on OnData() alone, so a
+  /// class gives its form only where `typeid` says that it is this class itself.
   virtual DataForm Form() const { return DataForm::kText; }
   /// As OnData(), for numbers of that form.
   virtual bool OnNumbers(const double* /*numbers*/, std::size_t /*count*/) { return false; }
@@ -123,7 +123,7 @@ class MorseDevice {
   friend class MorseClient;
   friend class MorseProxy;
   void StartUse() const;
-  void Accept(const MorseValue& data);                                             // DataMutex() held
+  void Accept(const MorseValue& data);  // DataMutex() held
   void AcceptNumbers(double timestamp, const double* numbers, std::size_t count);  // the same
 
   const MorseDeviceInfo info_;

@@ -73,8 +73,8 @@ class Simulator {
       ::dup2(ends[1], STDOUT_FILENO);
       ::close(ends[0]);
       ::close(ends[1]);
-      ::execl(ccmorse.c_str(), "ccmorse", "run", scenario.c_str(), "--pace", pace.c_str(),
-              "--port", "0", "--stream-port", "0", nullptr);
+      ::execl(ccmorse.c_str(), "ccmorse", "run", scenario.c_str(), "--pace", pace.c_str(), "--port",
+              "0", "--stream-port", "0", nullptr);
       ::_exit(127);
     }
     ::close(ends[1]);
@@ -206,23 +206,22 @@ int Run(const std::string& ccmorse, double seconds, bool as_json) {
   const double ratio = canvas[1] / canvas[0];
   if (as_json) {
     using ccmorse::Json;
-    fmt::print("{}\n",
-               Json(Json::Object{{"lockstep_sim_s_per_wall_s", lockstep[0]},
-                                 {"lockstep_json_sim_s_per_wall_s", lockstep[1]},
-                                 {"read_p50_us", Quantile(trips[0], 0.5) * kMicro},
-                                 {"read_p99_us", Quantile(trips[0], 0.99) * kMicro},
-                                 {"read_json_p50_us", Quantile(trips[1], 0.5) * kMicro},
-                                 {"read_json_p99_us", Quantile(trips[1], 0.99) * kMicro},
-                                 {"canvas_update_us", canvas[0] * kMicro},
-                                 {"canvas_json_update_us", canvas[1] * kMicro},
-                                 {"canvas_ratio", ratio}})
-                   .Dump());
+    fmt::print("{}\n", Json(Json::Object{{"lockstep_sim_s_per_wall_s", lockstep[0]},
+                                         {"lockstep_json_sim_s_per_wall_s", lockstep[1]},
+                                         {"read_p50_us", Quantile(trips[0], 0.5) * kMicro},
+                                         {"read_p99_us", Quantile(trips[0], 0.99) * kMicro},
+                                         {"read_json_p50_us", Quantile(trips[1], 0.5) * kMicro},
+                                         {"read_json_p99_us", Quantile(trips[1], 0.99) * kMicro},
+                                         {"canvas_update_us", canvas[0] * kMicro},
+                                         {"canvas_json_update_us", canvas[1] * kMicro},
+                                         {"canvas_ratio", ratio}})
+                           .Dump());
     return 0;
   }
   fmt::print("{:<58} {:>10} {:>10}\n", "one robot, laser and position, one client over TCP", "fast",
              "JSON");
-  fmt::print("{:<58} {:>10.0f} {:>10.0f}\n", "lock-step Read() + SetSpeed(), simulated s per wall s",
-             lockstep[0], lockstep[1]);
+  fmt::print("{:<58} {:>10.0f} {:>10.0f}\n",
+             "lock-step Read() + SetSpeed(), simulated s per wall s", lockstep[0], lockstep[1]);
   fmt::print("{:<58} {:>10.1f} {:>10.1f}\n", "Read() in real time, data there, p50, us",
              Quantile(trips[0], 0.5) * kMicro, Quantile(trips[1], 0.5) * kMicro);
   fmt::print("{:<58} {:>10.1f} {:>10.1f}\n",

@@ -37,9 +37,10 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 256))
       ->type_name("N");
   run_command
-      ->add_option("--client-timeout", run.client_timeout,
-                   "in lock-step, let a client go that keeps others waiting and has sent nothing for "
-                   "so long, in wall-clock time; 0: never  [10]")
+      ->add_option(
+          "--client-timeout", run.client_timeout,
+          "in lock-step, let a client go that keeps others waiting and has sent nothing for "
+          "so long, in wall-clock time; 0: never  [10]")
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("SECONDS");
   run_command

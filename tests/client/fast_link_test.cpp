@@ -1,11 +1,12 @@
 // The fast link as the client sees it: it falls back silently, and survives a server gone mad.
 
+#include "client/core/fast_link.h"
+
 #include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "client/core/fast_link.h"
 #include "tests/client/client_fixture.h"
 #include "wire/canvas_code.h"
 #include "wire/fast_link.h"
@@ -183,6 +184,22 @@ TEST(N05, AServiceIsDeclaredOnce) {
   EXPECT_EQ(frames[3].first, FrameType::kDeclare);
   EXPECT_EQ(writer.ServiceOf(1)->second, "stop");
   EXPECT_EQ(writer.ServiceOf(2), nullptr);
+}
+
+TEST(N05, TheExampleOfTheDocumentation) {
+  core::FastLinkWriter writer;
+  std::string out;
+  const double speed[] = {0.5, -1.0};
+  const std::string pose = "s1r.pose";
+  EXPECT_TRUE(writer.Command(out, "s1r.motion", "set_speed", speed, 2));
+  writer.Read(out, {{0, wire::DataForm::kPose, &pose}});
+  const char expected[] =
+      "\x17\0\0\0\x03\0\0\0\0\0\x0A\0s1r.motionset_speed"
+      "\x12\0\0\0\x02\0\0\0\0\0\0\0\0\0\0\0\xE0\x3F\0\0\0\0\0\0\xF0\xBF"
+      "\x0B\0\0\0\x04\0\0\0\0\0\x01s1r.pose"
+      "\0\0\0\0\x05\0\0";  // and the zero that ends the literal
+  EXPECT_EQ(out, std::string(expected, sizeof expected));
+  EXPECT_EQ(out.size(), 84U);
 }
 
 TEST(N05, WhatHasNoFrameIsLeftToLines) {

@@ -70,12 +70,12 @@ std::vector<double> WhatAProgramSees(const std::string& link, std::string* hash)
     try {
       for (int i = 0;; ++i) {
         client.Read();
-        seen.insert(seen.end(), {rig.client->GetTime(), laser.GetDataTime(),
-                                 laser.GetElapsedTime(), 1.0 * laser.IsFresh(),
-                                 1.0 * laser.IsValid(), 1.0 * position.IsFresh(), 1.0 * signals,
-                                 position.GetXPos(), position.GetYPos(), position.GetYaw(),
-                                 position.GetXSpeed(), position.GetYawSpeed(),
-                                 1.0 * position.GetStall(), laser.GetMinLeft()});
+        seen.insert(
+            seen.end(),
+            {rig.client->GetTime(), laser.GetDataTime(), laser.GetElapsedTime(),
+             1.0 * laser.IsFresh(), 1.0 * laser.IsValid(), 1.0 * position.IsFresh(), 1.0 * signals,
+             position.GetXPos(), position.GetYPos(), position.GetYaw(), position.GetXSpeed(),
+             position.GetYawSpeed(), 1.0 * position.GetStall(), laser.GetMinLeft()});
         laser.NotFresh();
         position.NotFresh();
         for (unsigned k = 0; k < laser.GetCount(); ++k) seen.push_back(laser[k]);
@@ -110,8 +110,8 @@ TEST(N05, TheIntroductionProgramsRunHasItsHashByEitherLink) {
     const TemporaryFolder folder;
     const std::string report = folder.path() + "/report.json";
     Simulator simulator({"syrotek", "--pace", "lockstep", "--for", "120", "--report", report});
-    const Finished intro = RunToEnd({BuiltProgram("intro"), "--port",
-                                     std::to_string(simulator.port())});
+    const Finished intro =
+        RunToEnd({BuiltProgram("intro"), "--port", std::to_string(simulator.port())});
     EXPECT_EQ(intro.status, 0) << intro.output;
     EXPECT_EQ(simulator.process().Wait(), 0);
     EXPECT_EQ(Json::Parse(ReadFile(report)).Find("hash")->AsString(), "41b3cac666e2771b") << name;
@@ -184,8 +184,8 @@ TEST(N05, ARefusedCommandComesOutOfTheNextRead) {
     rig.client->Request("s1r.pen", "resize_canvas", MorseArgs(4, 4));
     // The client still believes in the size it was told when it connected.
     auto& pen = rig.client->GetRobot("s1r").GetDevice<MorsePen>();
-    pen.SetImageData(std::vector<Color_t>(
-        static_cast<std::size_t>(pen.GetWidth()) * static_cast<std::size_t>(pen.GetHeight())));
+    pen.SetImageData(std::vector<Color_t>(static_cast<std::size_t>(pen.GetWidth()) *
+                                          static_cast<std::size_t>(pen.GetHeight())));
     try {
       rig.client->Read();
       ADD_FAILURE() << "nothing was refused by " << link;
@@ -315,8 +315,8 @@ TEST(Lockstep, ProgramsThatDieOrHangDoNotHoldTheOthersUp) {
                          "--client-timeout", "0.5"});
     const std::string port = std::to_string(simulator.port());
     Process dies({BuiltProgram("intro"), "--port", port});
-    Process hangs({BuiltProgram("intro"), "--port", port, "--laser-index", "10",
-                   "--position2d-index", "10"});
+    Process hangs(
+        {BuiltProgram("intro"), "--port", port, "--laser-index", "10", "--position2d-index", "10"});
     PlayerClient client("localhost", simulator.port());
     LaserProxy laser(&client, 0);
     while (laser.GetDataTime() < 5.0) client.Read();
@@ -341,8 +341,8 @@ TEST(Lockstep, ProgramsThatDieOrHangDoNotHoldTheOthersUp) {
 }
 
 TEST(Lockstep, AProgramThatWasLetGoIsToldSo) {
-  Simulator simulator({"two_robots", "--pace", "lockstep", "--clients", "2", "--client-timeout",
-                       "0.2"});
+  Simulator simulator(
+      {"two_robots", "--pace", "lockstep", "--clients", "2", "--client-timeout", "0.2"});
   PlayerClient client("localhost", simulator.port());
   client.Read();
   LineClient other(simulator.port());
@@ -361,9 +361,9 @@ TEST(CommandLine, TheLinkBenchmarkPrintsItsFigures) {
       RunToEnd({BuiltProgram("ccmorse"), "bench", "link", "--seconds", "0.05", "--json"});
   ASSERT_EQ(json.status, 0) << json.output;
   const Json figures = Json::Parse(json.output.substr(0, json.output.find('\n')));
-  for (const char* key : {"lockstep_sim_s_per_wall_s", "lockstep_json_sim_s_per_wall_s",
-                          "read_p50_us", "read_p99_us", "canvas_update_us",
-                          "canvas_json_update_us", "canvas_ratio"}) {
+  for (const char* key :
+       {"lockstep_sim_s_per_wall_s", "lockstep_json_sim_s_per_wall_s", "read_p50_us", "read_p99_us",
+        "canvas_update_us", "canvas_json_update_us", "canvas_ratio"}) {
     ASSERT_NE(figures.Find(key), nullptr) << key;
     EXPECT_GT(figures.Find(key)->AsDouble(), 0.0) << key;
   }

@@ -32,7 +32,8 @@ void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); 
 namespace {
 
 TEST(N05, ARoundNeedsNoMemory) {
-  if (std::string(CCMORSE_SANITIZE) != "") GTEST_SKIP() << "sanitizers have allocators of their own";
+  if (std::string(CCMORSE_SANITIZE) != "")
+    GTEST_SKIP() << "sanitizers have allocators of their own";
   ccmorse::servers::ServedSimulation served("{}", ccmorse::servers::Pace::kLockstep);
   CCMorse::PlayerClient client("127.0.0.1", served.port());
   CCMorse::Position2dProxy position(&client, 0);

@@ -1,5 +1,7 @@
 // The fast link from the outside: bytes over a socket, as docs/protocols/fast-link.md has them.
 
+#include "wire/fast_link.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -11,7 +13,6 @@
 #include "tests/servers/served_simulation.h"
 #include "tests/support/line_client.h"
 #include "wire/canvas_code.h"
-#include "wire/fast_link.h"
 
 namespace ccmorse::servers {
 namespace {
@@ -181,8 +182,8 @@ TEST_F(N05, NumbersAreTheOnesOfTheText) {
     EXPECT_EQ(data.entries.at(0).timestamp, At(pose, "timestamp"));
     const Json odometry = text("s1r.odometry");
     std::vector<double> expected;
-    for (const char* key : {"x", "y", "z", "roll", "pitch", "yaw", "vx", "vy", "vz", "wx", "wy",
-                            "wz", "stall"}) {
+    for (const char* key :
+         {"x", "y", "z", "roll", "pitch", "yaw", "vx", "vy", "vz", "wx", "wy", "wz", "stall"}) {
       expected.push_back(At(odometry, key));
     }
     EXPECT_EQ(data.entries.at(1).numbers, expected);
@@ -212,10 +213,10 @@ TEST_F(N05, OnlyWhatIsSubscribedComes) {
   EXPECT_EQ(twice.size(), 1U);
   EXPECT_EQ(twice.count(6), 1U);
   // What has no data, and what there is not, is left out; a form that does not fit is text.
-  EXPECT_EQ(read(Subscribe(1, DataForm::kText, "s1r.motion") +
-                 Subscribe(2, DataForm::kScan, "nobody"))
-                .size(),
-            1U);
+  EXPECT_EQ(
+      read(Subscribe(1, DataForm::kText, "s1r.motion") + Subscribe(2, DataForm::kScan, "nobody"))
+          .size(),
+      1U);
   EXPECT_EQ(read(Subscribe(3, DataForm::kPose, "s1r.hokuyo")).at(3).form, DataForm::kText);
   EXPECT_EQ(read(Subscribe(6, DataForm::kNone, "")).size(), 1U);
   EXPECT_EQ(read(Subscribe(3, DataForm::kNone, "s1r.hokuyo")).size(), 0U);
@@ -365,7 +366,8 @@ TEST_F(N05, WhatIsNoFrameEndsThisConnectionOnly) {
   }
   // The same behind a read that waits.
   FrameClient waiting(served.port());
-  waiting.Send(FrameClient::Read() + FrameClient::Read() + FrameClient::Frame(FrameType::kData, ""));
+  waiting.Send(FrameClient::Read() + FrameClient::Read() +
+               FrameClient::Frame(FrameType::kData, ""));
   EXPECT_EQ(waiting.Next().type, FrameType::kData);
   FrameClient another(served.port());
   another.Send(FrameClient::Read() + "garbage, not a frame");

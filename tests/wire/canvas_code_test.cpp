@@ -154,9 +154,10 @@ std::string Head(int x, int y, int width, int height) {
 }
 
 TEST(N05, WhatIsNoCodeIsRefused) {
-  const std::string run_of_one("\x01\x40"
-                               "abc",
-                               5);
+  const std::string run_of_one(
+      "\x01\x40"
+      "abc",
+      5);
   const std::string keep_one("\x01\x80", 2);
   struct Case {
     const char* what;

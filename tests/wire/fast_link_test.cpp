@@ -26,8 +26,8 @@ TEST(N05, TheFrameOfTheDocumentation) {
     const double numbers[] = {0.5, -1.0};
     frame.Doubles(numbers, 2);
   }
-  EXPECT_EQ(out, Bytes({18, 0, 0, 0, 2, 0, 0, 0, 0,    0, 0, 0, 0,
-                        0,  0, 0, 0xE0, 0x3F, 0, 0, 0, 0, 0,    0, 0xF0, 0xBF}));
+  EXPECT_EQ(out, Bytes({18, 0, 0, 0,    2,    0, 0, 0, 0, 0, 0, 0,    0,
+                        0,  0, 0, 0xE0, 0x3F, 0, 0, 0, 0, 0, 0, 0xF0, 0xBF}));
 }
 
 TEST(N05, FramesDoNotDependOnHowTheyAreCut) {

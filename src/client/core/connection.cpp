@@ -110,8 +110,8 @@ std::string_view Trim(std::string_view text) {
 
 }  // namespace
 
-// Locking: `mutex` guards every field but those of the pumping thread, which is the one that has set
-// `pumping`: it alone receives, without the mutex. Whoever holds the mutex may send.
+// Locking: `mutex` guards every field but those of the pumping thread, which is the one that has
+// set `pumping`: it alone receives, without the mutex. Whoever holds the mutex may send.
 struct Connection::Impl {
   // What an id was given to.
   struct Pending {
@@ -512,8 +512,7 @@ bool Connection::StartFastLink(const Patience& patience, const char* function) {
       Send({{"ccmorse", "fast_link", "[" + std::to_string(ccmorse::wire::kFastLinkVersion) + "]"}});
   if (Wait(batch, patience, function) != Outcome::kDone || !batch->replies[0].success) return false;
   const std::lock_guard lock(impl_->mutex);
-  impl_->splitter =
-      std::make_unique<ccmorse::wire::FrameSplitter>(ccmorse::wire::kMostServerFrame);
+  impl_->splitter = std::make_unique<ccmorse::wire::FrameSplitter>(ccmorse::wire::kMostServerFrame);
   impl_->splitter->Append(impl_->incoming);
   impl_->incoming.clear();
   return true;

@@ -141,10 +141,9 @@ void FastLinkWriter::FinishRectangle() {
   wire::AppendRectangle(code_, x_, y_, columns, rows, cells_.data());
   const int rest = count_ % columns;  // the start of a row
   if (rest > 0) {
-    wire::AppendRectangle(
-        code_, x_, y_ + rows, rest, 1,
-        cells_.data() + static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) *
-                            wire::kCellBytes);
+    wire::AppendRectangle(code_, x_, y_ + rows, rest, 1,
+                          cells_.data() + static_cast<std::size_t>(columns) *
+                                              static_cast<std::size_t>(rows) * wire::kCellBytes);
   }
   cells_.clear();
   count_ = columns_ = 0;

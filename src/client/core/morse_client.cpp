@@ -373,10 +373,9 @@ MorseClient& MorseClient::GetInstance() {
 void MorseClient::Connect() {
   constexpr char kFunction[] = "MorseClient::MorseClient()";
   Impl& impl = *impl_;
-  const std::vector<Reply> replies =
-      impl.Ask({{"simulation", "list_robots", ""},
-                {"simulation", "details", ""},
-                {"ccmorse", "hello", Hello()}});
+  const std::vector<Reply> replies = impl.Ask({{"simulation", "list_robots", ""},
+                                               {"simulation", "details", ""},
+                                               {"ccmorse", "hello", Hello()}});
   const auto answer = [&](std::size_t i, const char* what) {
     const std::optional<MorseValue> value = ValueOf(replies[i]);
     if (!replies[i].success || !value) {

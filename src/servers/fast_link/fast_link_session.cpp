@@ -83,18 +83,16 @@ bool FastLinkSession::TakeCommand(std::string_view payload) {
 bool FastLinkSession::TakeSubscribe(std::string_view payload) {
   wire::SubscribeMessage message;
   if (!wire::ParseSubscribe(payload, &message)) return false;
-  auto* const sensor =
-      message.form == wire::DataForm::kNone
-          ? nullptr
-          : dynamic_cast<sim::Sensor*>(simulation_.FindComponent(message.device));
+  auto* const sensor = message.form == wire::DataForm::kNone
+                           ? nullptr
+                           : dynamic_cast<sim::Sensor*>(simulation_.FindComponent(message.device));
   // A number stands for one device, and a device has one number: the newest.
   std::erase_if(subscriptions_, [&](const Subscription& subscription) {
     return subscription.id == message.id || subscription.sensor == sensor;
   });
   if (sensor == nullptr) return true;  // what has no data is left out
   const bool as_numbers = message.form != wire::DataForm::kText && message.form == FormOf(*sensor);
-  subscriptions_.push_back(
-      {message.id, as_numbers ? message.form : wire::DataForm::kText, sensor});
+  subscriptions_.push_back({message.id, as_numbers ? message.form : wire::DataForm::kText, sensor});
   return true;
 }
 

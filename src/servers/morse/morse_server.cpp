@@ -30,7 +30,7 @@ using sim::Outcome;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kReadBlock = 64U << 10;
-constexpr std::size_t kFrameBlock = 128U << 10;  // a whole canvas at once
+constexpr std::size_t kFrameBlock = 128U << 10;       // a whole canvas at once
 constexpr auto kTurn = std::chrono::milliseconds(1);  // of one connection before others get theirs
 
 const char* StatusWord(Outcome outcome) {
@@ -169,19 +169,19 @@ class MorseServer::ServiceConnection
       return;
     }
     block_.resize(kReadBlock);
-    socket_.async_read_some(asio::buffer(block_), [self = shared_from_this()](ErrorCode error,
-                                                                              std::size_t size) {
-      self->reading_ = false;
-      if (self->shared_.closed || self->left_) return;
-      if (error) return self->Leave();
-      const std::string_view bytes(self->block_.data(), size);
-      if (self->fast_ != nullptr) {  // it became a fast link meanwhile
-        self->frames_.Append(bytes);
-      } else {
-        self->lines_.Append(bytes);
-      }
-      self->Received();
-    });
+    socket_.async_read_some(asio::buffer(block_),
+                            [self = shared_from_this()](ErrorCode error, std::size_t size) {
+                              self->reading_ = false;
+                              if (self->shared_.closed || self->left_) return;
+                              if (error) return self->Leave();
+                              const std::string_view bytes(self->block_.data(), size);
+                              if (self->fast_ != nullptr) {  // it became a fast link meanwhile
+                                self->frames_.Append(bytes);
+                              } else {
+                                self->lines_.Append(bytes);
+                              }
+                              self->Received();
+                            });
   }
 
   void ReceiveFrames() {
@@ -441,9 +441,9 @@ class MorseServer::ServiceConnection
     const std::string ours = std::to_string(wire::kFastLinkVersion);
     if (fast_ != nullptr || wanted != ours) {
       Reply(request.id,
-            {Outcome::kFailed, Json(fast_ != nullptr ? "This is a fast link already"
-                                                     : "This server's fast link has version " +
-                                                           ours + " only")});
+            {Outcome::kFailed,
+             Json(fast_ != nullptr ? "This is a fast link already"
+                                   : "This server's fast link has version " + ours + " only")});
       return;
     }
     Reply(request.id, {Outcome::kSuccess, Json(wire::kFastLinkVersion)});

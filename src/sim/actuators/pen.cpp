@@ -97,7 +97,9 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
                 WriteImageData();
                 return image_data_;
               }});
-  AddService({"set_image_data", {{"pixels"}}, [this](Arguments arguments) {
+  AddService({"set_image_data",
+              {{"pixels"}},
+              [this](Arguments arguments) {
                 const Json::Array& pixels = ListArgument(arguments, "pixels");
                 RequireAllCells(pixels.size());
                 std::vector<Color> colors;
@@ -111,7 +113,9 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
               {},
               [this](std::string_view cells) { SetImage(cells); }});
   AddService(
-      {"update_image_data", {{"pixels"}}, [this](Arguments arguments) {
+      {"update_image_data",
+       {{"pixels"}},
+       [this](Arguments arguments) {
          // All or nothing: a wrong pixel changes no cell.
          std::vector<std::pair<Vec2i, Color>> changes;
          for (const Json& pixel : ListArgument(arguments, "pixels")) {
