@@ -22,6 +22,8 @@ MAY_INCLUDE = {
     "sim": ["scene", "base"],
     "servers": ["sim", "scene", "wire", "base"],
     "tools": ["servers", "sim", "scene", "wire", "base"],
+    # Programs over the client library that measure it, as processes of their own.
+    "bench": ["base"],
 }
 
 # Public headers of the client library by layer (thesis 3.1): a header may include its own layer
@@ -36,7 +38,7 @@ CLIENT_LAYERS = [
 ]
 
 # Which layer of public headers a folder of the client may use.
-CLIENT_FOLDER_LAYER = {"client/core": 0, "client/morse": 1, "client/player": 3}
+CLIENT_FOLDER_LAYER = {"client/core": 0, "client/morse": 1, "client/player": 3, "bench": 3}
 
 # Heavy headers and the only files that may include them.
 HEAVY = {

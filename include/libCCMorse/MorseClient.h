@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <list>
 #include <memory>
@@ -54,10 +55,11 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
   // --- The server connection as Player's PlayerClient has it (thesis 3.1.3)
 
   /// Sends the commands that wait and brings fresh data of every polled device (thesis 3.3): one
-  /// message out, one query a device, then the valid and fresh flags of all proxies. It returns at
-  /// the next read time of the simulation, so it paces a loop. Throws MorseError when the
-  /// connection breaks, when the simulation has ended (see MorseError::SimulationEnded()), and,
-  /// after the data were taken, when the simulator refused an earlier command.
+  /// message out, one query a device or, on a fast link, one for all that are in use; then the
+  /// valid and fresh flags of all proxies. It returns at the next read time of the simulation, so
+  /// it paces a loop. Throws MorseError when the connection breaks, when the simulation has ended
+  /// (see MorseError::SimulationEnded()), and, after the data were taken, when the simulator
+  /// refused an earlier command.
   void Read();
   /// Whether Read() would find something without waiting; waits up to `timeout_ms` for it. In a
   /// simulation in lock-step time stands still between two reads, and at the pace "max" there is
@@ -118,6 +120,10 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
   std::string GetServerName() const;
   /// "realtime", "lockstep" or "max"; "realtime" for plain MORSE.
   std::string GetPace() const;
+  /// "fast" when data come as ccmorse's binary frames (docs/protocols/fast-link.md), "json" when
+  /// they come as MORSE's lines. The client and the simulator agree by themselves; the environment
+  /// variable CCMORSE_LINK=json keeps a program to lines. What a program sees is the same.
+  std::string GetLink() const;
   /// Ticks a simulated second; 60 for plain MORSE.
   double GetFrequency() const;
   /// Simulated seconds between two reads; one tick for plain MORSE.
@@ -145,6 +151,15 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
   std::mutex& DataMutex() const;
   void Connect();
   void ReadOnce(bool may_abandon);
+  // On a fast link: data of a device that was not asked for so far, unless the next Read() brings
+  // them anyway. `text`: as text, whatever it takes.
+  void Fetch(const std::string& device, bool text);
+  bool QueueNumbers(const std::string& component, const std::string& service, const double* numbers,
+                    std::size_t count);
+  bool QueueImage(const std::string& component, const std::string& service, int width, int height,
+                  const std::vector<Color_t>& image);
+  bool QueuePixels(const std::string& component, const std::string& service,
+                   const PixelUpdate_t* pixels, std::size_t count);
 
   const std::unique_ptr<Impl> impl_;
 };

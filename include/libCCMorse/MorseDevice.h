@@ -1,6 +1,10 @@
 #pragma once
 
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -55,13 +59,17 @@ class MorseDevice {
   bool IsValid() const;
   /// Simulated time of the last data, s; 0 before the first.
   double GetTimestamp() const;
-  /// The last data as the simulator sent them; null before the first.
+  /// The last data as the simulator sent them; null before the first. On a fast link the first call
+  /// asks for them, and from then on they come as text with each Read(), which costs time: prefer
+  /// the getters of the device's class.
   MorseValue GetData() const;
 
   /// Whether MorseClient::Read() asks for this device's data.
   bool IsPolled() const;
   /// Turns the query of this device on or off: fewer devices make a faster Read(). Sensors of known
-  /// classes start on. Throws MorseError when the device has no data to ask for.
+  /// classes start on. On a fast link poses, odometries and lasers are asked for with the first
+  /// Read(), and then only if a proxy stands on them or a getter was called. Throws MorseError when
+  /// the device has no data to ask for.
   void SetPolled(bool polled);
 
   /// Queues a one-way command: it leaves with the next Read() or request. Ignored once the
@@ -84,16 +92,51 @@ class MorseDevice {
   /// it copies and calls none of the locking getters.
   virtual bool OnData(const MorseValue& /*data*/) { return true; }
 
+  // --- The fast link (docs/protocols/fast-link.md); a class that knows nothing of it gets its data
+  // by OnData() all the same.
+
+  /// The forms in which data come without text.
+  enum class DataForm : unsigned char {
+    kText,      ///< none: by OnData()
+    kPose,      ///< x, y, z, m; roll, pitch, yaw, rad
+    kOdometry,  ///< as kPose; vx, vy, vz, m/s; wx, wy, wz, rad/s; stall, 0 or 1
+    kScan,      ///< ranges, m
+  };
+  /// The form that OnNumbers() takes. A class derived from it may rely on OnData() alone, so a
+  /// class gives its form only where `typeid` says that it is this class itself.
+  virtual DataForm Form() const { return DataForm::kText; }
+  /// As OnData(), for numbers of that form.
+  virtual bool OnNumbers(const double* /*numbers*/, std::size_t /*count*/) { return false; }
+  /// To be called by getters of classes with a form: data that nobody looks at are not sent.
+  void Use() const {
+    if (!in_use_.load(std::memory_order_relaxed)) StartUse();
+  }
+
+  /// As Command(service, MorseArgs(numbers...)), without text on a fast link.
+  void CommandNumbers(const char* service, std::initializer_list<double> numbers);
+  /// Cells of the canvas on a fast link; false, and nothing happened, where they have to go as a
+  /// command.
+  bool CommandImage(const char* service, int width, int height, const std::vector<Color_t>& image);
+  bool CommandPixels(const char* service, const PixelUpdate_t* pixels, std::size_t count);
+
  private:
   friend class MorseClient;
+  friend class MorseProxy;
+  void StartUse() const;
   void Accept(const MorseValue& data);  // DataMutex() held
+  void AcceptNumbers(double timestamp, const double* numbers, std::size_t count);  // the same
 
   const MorseDeviceInfo info_;
+  mutable std::atomic<bool> in_use_{false};
+  // Under DataMutex().
   bool polled_ = false;
   bool has_data_ = false;
   bool valid_ = false;
   double timestamp_ = 0.0;
   MorseValue data_;
+  mutable bool wants_text_ = false;  // somebody calls GetData()
+  bool data_missing_ = false;        // the last data came as numbers, data_ has them not
+  std::uint64_t round_ = 0;          // the Read() that brought the last data
 };
 
 /// A class of devices as the client knows it (thesis 3.1.1).

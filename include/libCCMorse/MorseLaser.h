@@ -41,6 +41,8 @@ class MorseLaser : public MorseSensor {
   std::vector<std::string> SetupServices() const override;
   void OnSetup(const std::string& service, const MorseValue& answer) override;
   bool OnData(const MorseValue& data) override;
+  DataForm Form() const override;
+  bool OnNumbers(const double* numbers, std::size_t count) override;
 
  private:
   // Written once, while the client connects.

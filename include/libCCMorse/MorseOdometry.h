@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "libCCMorse/MorseSensor.h"
 
 namespace CCMorse {
@@ -25,6 +27,8 @@ class MorseOdometry : public MorseSensor {
 
  protected:
   bool OnData(const MorseValue& data) override;
+  DataForm Form() const override;
+  bool OnNumbers(const double* numbers, std::size_t count) override;
 
  private:
   player_pose3d_t pose_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "libCCMorse/MorseSensor.h"
 
 namespace CCMorse {
@@ -21,6 +23,8 @@ class MorsePose : public MorseSensor, public MorsePoseSource {
 
  protected:
   bool OnData(const MorseValue& data) override;
+  DataForm Form() const override;
+  bool OnNumbers(const double* numbers, std::size_t count) override;
 
  private:
   player_pose3d_t pose_;

@@ -4,6 +4,8 @@
 
 #include <boost/asio/post.hpp>
 #include <cmath>
+#include <optional>
+#include <thread>
 
 #include "base/log.h"
 
@@ -12,6 +14,7 @@ namespace {
 
 constexpr auto kFarewell = std::chrono::seconds(2);          // for clients, once the run is over
 constexpr auto kGiveUpCatchingUp = std::chrono::seconds(1);  // real time: how far behind is too far
+constexpr auto kStayAwake = std::chrono::microseconds(100);  // in lock-step, for the next request
 constexpr int kHandlersPerTick = 64;  // at full speed, so that no flood of requests stops time
 
 }  // namespace
@@ -127,24 +130,45 @@ void Runner::WaitForTurn() {
         pace_base_ = now;
         pace_tick_ = simulation_.tick();
       }
-      io_.restart();
-      for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
-      }
+      ServeWhatIsThere();
       while (!stop_ && io_.run_one_until(due) > 0) {
       }
       return;
     }
     case Pace::kLockstep:
-      io_.restart();
-      for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
-      }
-      while (!stop_ && !morse_.ClientsAreWaiting(options_.clients)) io_.run_one();
+      ServeWhatIsThere();
+      WaitForClients();
       return;
     case Pace::kMax:
-      io_.restart();
-      for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
-      }
+      ServeWhatIsThere();
       return;
+  }
+}
+
+void Runner::ServeWhatIsThere() {
+  io_.restart();
+  for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
+  }
+}
+
+void Runner::WaitForClients() {
+  // A client that computes little asks again within microseconds, and waking from sleep takes tens
+  // of them: so the thread stays awake for a moment, and leaves the processor to whoever wants it.
+  const auto awake_until = WallClock::now() + kStayAwake;
+  while (!stop_ && !morse_.ClientsAreWaiting(options_.clients)) {
+    if (io_.poll_one() == 0) std::this_thread::yield();
+    if (WallClock::now() > awake_until) break;
+  }
+  const auto limit = std::chrono::duration_cast<WallClock::duration>(
+      std::chrono::duration<double>(options_.client_timeout));
+  while (!stop_ && !morse_.ClientsAreWaiting(options_.clients)) {
+    const auto look_again =
+        limit > WallClock::duration::zero() ? morse_.LetHangingGo(limit) : std::nullopt;
+    if (look_again) {
+      io_.run_one_until(*look_again);
+    } else if (!morse_.ClientsAreWaiting(options_.clients)) {
+      io_.run_one();
+    }
   }
 }
 

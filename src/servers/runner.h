@@ -28,7 +28,10 @@ struct RunOptions {
   double factor = 1.0;   ///< simulated seconds per wall second in real time, > 0
   double seconds = 0.0;  ///< simulated time to run, s; 0: until stopped
   int clients = 1;       ///< lock-step: time starts when this many clients read
-  MorseServerOptions morse;
+  MorseServerOptions morse = {};
+  /// Lock-step: how long a client may keep others waiting and send nothing, s of wall-clock time,
+  /// before it is let go; 0: for ever.
+  double client_timeout = 10.0;
 };
 
 /// What a run came to.
@@ -66,6 +69,8 @@ class Runner {
   RunControl Control();
   Json Statistics() const;
   void WaitForTurn();
+  void ServeWhatIsThere();
+  void WaitForClients();
   void CountTick();
   void LetClientsFinish();
   bool Over() const;

@@ -49,11 +49,28 @@ void Canvas::Resize(int width, int height) {
 
 void Canvas::SetPixel(int x, int y, Color color, double alpha) {
   if (!Contains(x, y) || alpha <= 0.0) return;
-  alpha = std::min(alpha, 1.0);
   Color& cell = cells_[At(x, y)];
+  drawn_[At(x, y)] = true;
+  ++revision_;
+  if (alpha >= 1.0) {
+    cell = color;
+    return;
+  }
   cell = {Blend(color.r, cell.r, alpha), Blend(color.g, cell.g, alpha),
           Blend(color.b, cell.b, alpha)};
-  drawn_[At(x, y)] = true;
+}
+
+void Canvas::SetRectangle(int x, int y, int width, int height, std::span<const Color> colors) {
+  const std::int64_t left = std::max(0, x);
+  const std::int64_t right = std::min<std::int64_t>(width_, std::int64_t{x} + width);
+  if (left >= right) return;
+  const std::int64_t top = std::min<std::int64_t>(height_, std::int64_t{y} + height);
+  for (std::int64_t row = std::max(0, y); row < top; ++row) {
+    const auto from = colors.begin() + static_cast<std::ptrdiff_t>((row - y) * width + left - x);
+    const auto at = static_cast<std::ptrdiff_t>(row * width_ + left);
+    std::copy_n(from, right - left, cells_.begin() + at);
+    std::fill_n(drawn_.begin() + at, right - left, true);
+  }
   ++revision_;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ class Canvas {
   /// Draws a cell; alpha from 0 (nothing) to 1 (covers what was there). Outside the canvas:
   /// nothing.
   void SetPixel(int x, int y, Color color, double alpha = 1.0);
+  /// Draws a rectangle of cells, `colors` (height x width) row by row from its bottom-left corner
+  /// at (x, y). The part outside the canvas is left out. Precondition: width and height up to
+  /// 65535.
+  void SetRectangle(int x, int y, int width, int height, std::span<const Color> colors);
   /// White where nothing was drawn. Precondition: inside the canvas.
   Color GetPixel(int x, int y) const;
   bool IsDrawn(int x, int y) const;

@@ -96,6 +96,14 @@ class Component {
   std::vector<Service> services_;
 };
 
+/// What the numbers of a sensor are, in their order.
+enum class NumberForm {
+  kNone,      ///< the data are more than numbers: only LocalData() has them
+  kPose,      ///< x, y, z, m; roll, pitch, yaw, rad
+  kOdometry,  ///< as kPose; vx, vy, vz, m/s; wx, wy, wz, rad/s; stall, 0 or 1
+  kScan,      ///< ranges, m
+};
+
 /// Reads the world (thesis 2.4). Sensors of different robots sample at the same time, in threads:
 /// Sample() changes nothing but the sensor.
 class Sensor : public Component {
@@ -105,6 +113,10 @@ class Sensor : public Component {
 
   /// About how much a sample costs, in beams of a scanner: work is split over threads by it.
   virtual int Work() const { return 1; }
+  /// The data as bare numbers, the same as in LocalData(), for those who have no need of text.
+  virtual NumberForm number_form() const { return NumberForm::kNone; }
+  /// Appends them.
+  virtual void AppendNumbers(std::vector<double>& /*out*/) const {}
 
   std::uint64_t samples() const { return samples_; }  ///< taken since the start
   void CountSample() { ++samples_; }

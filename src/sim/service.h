@@ -43,13 +43,16 @@ struct ServiceParameter {
   bool optional = false;
 };
 
-/// Something a component does on request; exactly one of the three functions is set.
+/// Something a component does on request; exactly one of the first three functions is set.
 struct Service {
   std::string name;
   std::vector<ServiceParameter> parameters;
   std::function<Json(Arguments)> run;                     ///< answers at once
   std::function<void(Arguments, Completion)> start = {};  ///< answers later
   std::function<const std::string&()> text = {};          ///< answers at once, ready-made JSON
+  /// The same for arguments that come as bytes, in a form that the service defines; where it is
+  /// there, it is much faster than `run` on many numbers. May throw as `run` may.
+  std::function<void(std::string_view)> bytes = {};
   /// False: a question, or a matter of the run around the simulation (its pace, its log, a file).
   /// Calls of all others go into the run's record, so true is what is safe.
   bool changes_simulation = true;

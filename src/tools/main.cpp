@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "tools/fleet_bench.h"
+#include "tools/link_bench.h"
 #include "tools/rays_bench.h"
 #include "tools/replay_command.h"
 #include "tools/run_command.h"
@@ -39,6 +40,13 @@ int main(int argc, char** argv) {
                    "in lock-step, time starts when this many clients read  [1]")
       ->check(CLI::Range(1, 256))
       ->type_name("N");
+  run_command
+      ->add_option(
+          "--client-timeout", run.client_timeout,
+          "in lock-step, let a client go that keeps others waiting and has sent nothing for "
+          "so long, in wall-clock time; 0: never  [10]")
+      ->check(CLI::Range(0.0, 1e6))
+      ->type_name("SECONDS");
   run_command
       ->add_option("--pace", run.pace,
                    "real: wall-clock time; lockstep: time waits for the clients' next Read(); "
@@ -162,6 +170,13 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.01, 1e3))
       ->type_name("S");
   rays_command->add_flag("--json", rays.json, "one JSON object instead of a table");
+  ccmorse::tools::LinkArguments link;
+  CLI::App* const link_command = bench_command->add_subcommand(
+      "link", "a client's Read() and canvas updates over TCP, by the fast link and by JSON");
+  link_command->add_option("--seconds", link.seconds, "wall-clock time of each measurement  [2]")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->type_name("S");
+  link_command->add_flag("--json", link.json, "one JSON object instead of a table");
 
   try {
     app.parse(argc, argv);
@@ -176,6 +191,7 @@ int main(int argc, char** argv) {
     if (replay_command->parsed()) return ccmorse::tools::Replay(replay);
     if (list_command->parsed()) return ccmorse::tools::ListScenarios();
     if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);
+    if (link_command->parsed()) ccmorse::tools::BenchLink(link);
     if (fleet_command->parsed()) return ccmorse::tools::BenchFleet(fleet);
     return ccmorse::tools::Run(run);
   } catch (const ccmorse::Error& error) {

@@ -152,6 +152,7 @@ int Run(const RunArguments& arguments) {
   options.factor = scenario.time.factor;
   options.seconds = arguments.seconds;
   options.clients = arguments.clients;
+  options.client_timeout = arguments.client_timeout;
   options.morse.bind = arguments.bind;
   options.morse.port = arguments.port;
   options.morse.first_stream_port = arguments.stream_port;

@@ -14,6 +14,7 @@ struct RunArguments {
   double seconds = 0.0;              ///< simulated; 0: until stopped
   std::optional<std::int64_t> seed;  ///< >= 0
   int clients = 1;                   ///< lock-step: wait for so many
+  double client_timeout = 10.0;      ///< lock-step: s of wall time a client may hang; 0: for ever
   int port = 4000;                   ///< 0: any free one
   int stream_port = 60000;           ///< 0: any free ones
   std::string bind = "127.0.0.1";

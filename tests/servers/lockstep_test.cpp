@@ -86,6 +86,50 @@ TEST(Lockstep, AClientThatDiesIsNotWaitedFor) {
   EXPECT_NEAR(TimeOf(one.ReadLine().value()), 0.1, 1e-12);
 }
 
+TEST(Lockstep, AClientThatHangsIsLetGo) {
+  ServedSimulation served("{}", Pace::kLockstep, 0.0, {}, 1, {}, 0.2);
+  LineClient hangs(served.port());
+  LineClient other(served.port());
+  hangs.Ask("1 ccmorse read");
+  other.Ask("1 ccmorse read");
+  other.Send("2 ccmorse read\n");
+  EXPECT_NEAR(TimeOf(other.ReadLine().value()), 0.1, 1e-12);
+  EXPECT_TRUE(hangs.IsClosed());
+}
+
+TEST(Lockstep, AClientThatShowsLifeIsWaitedFor) {
+  ServedSimulation served("{}", Pace::kLockstep, 0.0, {}, 1, {}, 1.0);
+  LineClient busy(served.port());
+  LineClient other(served.port());
+  busy.Ask("1 ccmorse read");
+  other.Ask("1 ccmorse read");
+  other.Send("2 ccmorse read\n");
+  for (int i = 0; i < 15; ++i) {
+    EXPECT_FALSE(other.ReadLine(std::chrono::milliseconds(100)));
+    EXPECT_EQ(busy.Ask("2 ccmorse ping"), "2 SUCCESS \"pong\"");
+  }
+}
+
+TEST(Lockstep, AClientThatIsAloneMayTakeItsTime) {
+  ServedSimulation served("{}", Pace::kLockstep, 0.0, {}, 1, {}, 0.05);
+  LineClient client(served.port());
+  client.Ask("1 ccmorse read");
+  EXPECT_FALSE(client.IsClosed(std::chrono::milliseconds(300)));
+  EXPECT_NEAR(TimeOf(client.Ask("2 ccmorse read")), 0.1, 1e-12);
+}
+
+TEST(Lockstep, WithoutATimeLimitAClientIsWaitedForWithoutEnd) {
+  ServedSimulation served("{}", Pace::kLockstep, 0.0, {}, 1, {}, 0.0);
+  LineClient slow(served.port());
+  LineClient other(served.port());
+  slow.Ask("1 ccmorse read");
+  other.Ask("1 ccmorse read");
+  other.Send("2 ccmorse read\n");
+  EXPECT_FALSE(other.ReadLine(std::chrono::milliseconds(300)));
+  slow.Send("2 ccmorse read\n");
+  EXPECT_TRUE(other.ReadLine());
+}
+
 TEST(Lockstep, TheSameCommandsGiveTheSameRun) {
   const auto run = [](int packets) {
     ServedSimulation served("{}", Pace::kLockstep, 5.0);

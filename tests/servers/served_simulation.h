@@ -21,10 +21,11 @@ class ServedSimulation {
  public:
   explicit ServedSimulation(const std::string& scenario, Pace pace = Pace::kRealTime,
                             double seconds = 0.0, const MorseServerOptions& limits = {},
-                            int clients = 1, const RecordOptions& record = {})
+                             int clients = 1, const RecordOptions& record = {},
+                             double client_timeout = 10.0)
       : simulation_(scene::ParseScenario(scenario, "test.json")),
         recorder_(simulation_, folder_.path() + "/run.mcap", record),
-        runner_(simulation_, Options(pace, seconds, limits, clients)),
+        runner_(simulation_, Options(pace, seconds, limits, clients, client_timeout)),
         port_(runner_.morse().port()),
         thread_([this] {
           runner_.AddWatcher(recorder_);
@@ -56,10 +57,11 @@ class ServedSimulation {
   MorseServer& server() { return runner_.morse(); }
 
  private:
-  static RunOptions Options(Pace pace, double seconds, MorseServerOptions limits, int clients) {
+  static RunOptions Options(Pace pace, double seconds, MorseServerOptions limits, int clients,
+                            double client_timeout) {
     limits.port = 0;
     limits.first_stream_port = 0;
-    return {pace, 1.0, seconds, clients, limits};
+    return {pace, 1.0, seconds, clients, limits, client_timeout};
   }
 
   testing::TemporaryFolder folder_;

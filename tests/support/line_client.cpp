@@ -74,6 +74,19 @@ std::optional<std::string> LineClient::ReadLine(std::chrono::milliseconds timeou
   }
 }
 
+std::optional<std::string> LineClient::ReadBytes(std::size_t size,
+                                                 std::chrono::milliseconds timeout) {
+  const auto until = std::chrono::steady_clock::now() + timeout;
+  while (buffer_.size() < size) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+        until - std::chrono::steady_clock::now());
+    if (left.count() < 0 || !Fill(left)) return std::nullopt;
+  }
+  std::string bytes = buffer_.substr(0, size);
+  buffer_.erase(0, size);
+  return bytes;
+}
+
 std::string LineClient::Ask(std::string_view line) {
   Send(std::string(line) + "\n");
   return ReadLine().value_or("");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,10 @@ class LineClient {
   /// The next line without its end; nothing when none comes in time or the peer has closed.
   std::optional<std::string> ReadLine(
       std::chrono::milliseconds timeout = std::chrono::milliseconds(10000));
+
+  /// The next `size` bytes; nothing when they do not come in time or the peer has closed.
+  std::optional<std::string> ReadBytes(
+      std::size_t size, std::chrono::milliseconds timeout = std::chrono::milliseconds(10000));
 
   /// Sends `line` and a line end and returns the next line ("" when none comes).
   std::string Ask(std::string_view line);

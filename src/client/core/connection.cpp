@@ -1,24 +1,30 @@
 #include "client/core/connection.h"
 
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/post.hpp>
-#include <boost/asio/write.hpp>
+#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
-#include <functional>
 #include <future>
 #include <mutex>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <unordered_map>
 #include <utility>
 
 #include "libCCMorse/MorseError.h"
+#include "wire/fast_link.h"
 
 namespace CCMorse::core {
 
@@ -35,6 +41,10 @@ constexpr auto kSilenceBeforePing = std::chrono::seconds(1);
 constexpr auto kSilenceAfterPing = std::chrono::milliseconds(1900);
 // The pumping thread wakes at least this often, so that no missed wake-up can cost more.
 constexpr auto kLongestSleep = std::chrono::milliseconds(500);
+// Before it sleeps it stays awake this long, and leaves the processor to whoever wants it: answers
+// that come within microseconds are not to wait for the tens of microseconds that waking takes.
+constexpr auto kStayAwake = std::chrono::microseconds(100);
+constexpr std::size_t kReadBlock = std::size_t{64} << 10;
 
 Clock::duration Seconds(double seconds) {
   // Held within a day: a longer time might overflow the clock's range.
@@ -100,9 +110,8 @@ std::string_view Trim(std::string_view text) {
 
 }  // namespace
 
-// Locking: `mutex_` guards every field but the socket and io_. The thread that has set `pumping_`
-// runs handlers, without the mutex between them; while nobody pumps, whoever holds the mutex may
-// touch the socket. Either way one thread at a time touches it.
+// Locking: `mutex` guards every field but those of the pumping thread, which is the one that has
+// set `pumping`: it alone receives, without the mutex. Whoever holds the mutex may send.
 struct Connection::Impl {
   // What an id was given to.
   struct Pending {
@@ -133,66 +142,182 @@ struct Connection::Impl {
     if (outcome) ThrowConnect(address, outcome.message());
     // Without it, the kernel holds small requests back for up to 40 ms.
     socket.set_option(tcp::no_delay(true), outcome);
+    handle = socket.native_handle();
+    wake_handle = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+    if (wake_handle < 0) ThrowConnect(address, SystemText(errno));
     last_heard = Clock::now();
-    io.restart();
-    StartRead();
   }
 
   ~Impl() {
-    // Handlers that never ran are destroyed with io, after the socket: they hold plain pointers
-    // only.
-    ErrorCode ignored;
-    socket.close(ignored);
+    if (wake_handle >= 0) ::close(wake_handle);
   }
 
-  // --- Called by the pumping thread, or under the mutex while nobody pumps.
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
 
-  void StartRead() {
-    socket.async_read_some(asio::buffer(chunk), [this](const ErrorCode& ec, std::size_t count) {
-      {
-        const std::lock_guard lock(mutex);
-        if (!error.empty()) return;
-        if (ec) {
-          Fail(ec == asio::error::eof ? "the simulator closed the connection to " + address
-                                      : "the connection to " + address + " broke: " + ec.message());
-          return;
-        }
-        TakeBytes(std::string_view(chunk.data(), count));
-        changed.notify_all();
-        if (!error.empty()) return;
+  static std::string SystemText(int code) { return std::system_category().message(code); }
+
+  // --- The pumping thread, without the mutex.
+
+  enum class Came { kBytes, kEnd, kError, kNothing };
+
+  // Waits for bytes, for room to send with `to_send`, for Wake() or until the time has come.
+  Came Receive(Clock::time_point until, bool to_send) {
+    const auto awake_until = std::min(until, Clock::now() + kStayAwake);
+    bool slept = false;
+    for (;;) {
+      const ssize_t size = splitter ? ReceiveTo(splitter->Space(kReadBlock), kReadBlock)
+                                    : ReceiveTo(chunk.data(), chunk.size());
+      if (size >= 0) {
+        received = static_cast<std::size_t>(size);
+        return size == 0 ? Came::kEnd : Came::kBytes;
       }
-      StartRead();
-    });
+      if (errno != EAGAIN && errno != EWOULDBLOCK) {
+        receive_error = errno;
+        return Came::kError;
+      }
+      if (slept || woken.exchange(false)) return Came::kNothing;
+      if (Clock::now() < awake_until) {
+        std::this_thread::yield();
+        continue;
+      }
+      Sleep(until, to_send);
+      slept = true;
+    }
   }
 
-  void StartWrite() {  // mutex held
-    if (writing || outgoing.empty() || !error.empty()) return;
-    writing = true;
-    in_flight.swap(outgoing);
-    outgoing.clear();
-    asio::async_write(socket, asio::buffer(in_flight), [this](const ErrorCode& ec, std::size_t) {
-      const std::lock_guard lock(mutex);
-      writing = false;
-      in_flight.clear();
-      // A broken connection is reported by the read, after what still comes in was taken.
-      if (ec) {
-        outgoing.clear();
-        write_failed = true;
-      }
-      StartWrite();
-      changed.notify_all();
-    });
+  ssize_t ReceiveTo(char* to, std::size_t size) const {
+    for (;;) {
+      const ssize_t got = ::recv(handle, to, size, MSG_DONTWAIT);
+      if (got >= 0 || errno != EINTR) return got;
+    }
+  }
+
+  void Sleep(Clock::time_point until, bool to_send) const {
+    const auto left = std::chrono::nanoseconds(until - Clock::now()).count();
+    if (left <= 0) return;
+    const timespec limit{left / 1'000'000'000, left % 1'000'000'000};
+    pollfd handles[2] = {{handle, static_cast<short>(to_send ? POLLIN | POLLOUT : POLLIN), 0},
+                         {wake_handle, POLLIN, 0}};
+    if (::ppoll(handles, 2, &limit, nullptr) <= 0 || handles[1].revents == 0) return;
+    std::uint64_t ignored = 0;
+    if (::read(wake_handle, &ignored, sizeof ignored) < 0) return;  // another took it
   }
 
   // --- Mutex held.
 
+  // Has the pumping thread look around.
+  void WakePump() {
+    woken = true;
+    const std::uint64_t one = 1;
+    if (::write(wake_handle, &one, sizeof one) < 0) return;  // it is awake as often as can be
+  }
+
+  bool unsent() const { return sent < outgoing.size(); }
+
+  // Sends what the socket takes now.
+  void SendSome() {
+    while (error.empty() && unsent()) {
+      const ssize_t size = ::send(handle, outgoing.data() + sent, outgoing.size() - sent,
+                                  MSG_DONTWAIT | MSG_NOSIGNAL);
+      if (size >= 0) {
+        sent += static_cast<std::size_t>(size);
+        continue;
+      }
+      if (errno == EINTR) continue;
+      if (errno == EAGAIN || errno == EWOULDBLOCK) {
+        outgoing.erase(0, sent);
+        sent = 0;
+        return;
+      }
+      // A broken connection is reported by the read, after what still comes in was taken.
+      write_failed = true;
+      break;
+    }
+    outgoing.clear();
+    sent = 0;
+  }
+
+  // Gets `outgoing` onto the socket; what does not fit at once follows as the socket takes it.
+  void Write() {
+    SendSome();
+    if (unsent() && pumping) WakePump();
+  }
+
   void Fail(const std::string& what) {
     if (error.empty()) error = what;
     pending.clear();
+    pending_read.reset();
     queued.clear();
     outgoing.clear();
+    sent = 0;
     commands_open = 0;
     changed.notify_all();
+  }
+
+  // What Receive() brought.
+  void Take(Came came) {
+    if (!error.empty()) return;
+    switch (came) {
+      case Came::kBytes:
+        if (splitter) {
+          splitter->Commit(received);
+          TakeFrames();
+        } else {
+          TakeBytes(std::string_view(chunk.data(), received));
+        }
+        return;
+      case Came::kEnd:
+        return Fail("the simulator closed the connection to " + address);
+      case Came::kError:
+        return Fail("the connection to " + address + " broke: " + SystemText(receive_error));
+      case Came::kNothing:
+        return;
+    }
+  }
+
+  void TakeFrames() {
+    last_heard = Clock::now();
+    namespace wire = ccmorse::wire;
+    wire::Frame frame;
+    for (;;) {
+      switch (splitter->Next(&frame)) {
+        case wire::FrameSplitter::Result::kNeedMore:
+          return;
+        case wire::FrameSplitter::Result::kBroken:
+          return Fail("the simulator at " + address + " sent what is no frame of the fast link");
+        case wire::FrameSplitter::Result::kFrame:
+          TakeFrame(frame);
+      }
+    }
+  }
+
+  void TakeFrame(const ccmorse::wire::Frame& frame) {
+    using ccmorse::wire::FrameType;
+    switch (frame.type) {
+      case FrameType::kLines:
+        TakeBytes(frame.payload);
+        return;
+      case FrameType::kData:
+      case FrameType::kReadFailed: {
+        if (!pending_read) return;
+        pending_read->read_failed = frame.type == FrameType::kReadFailed;
+        pending_read->data.assign(frame.payload);
+        pending_read->missing = 0;
+        pending_read.reset();
+        confirmed = read_covers;
+        return;
+      }
+      case FrameType::kRefused: {
+        ccmorse::wire::ByteReader reader(frame.payload);
+        const auto* const service = writer.ServiceOf(reader.Short());
+        if (service == nullptr || refusal) return;
+        refusal = Refusal{service->first, service->second, std::string(reader.rest())};
+        return;
+      }
+      default:
+        return;  // what only a server gets
+    }
   }
 
   void TakeBytes(std::string_view bytes) {
@@ -201,8 +326,7 @@ struct Connection::Impl {
       last_heard = Clock::now();  // a long line is on its way
       incoming.append(bytes);
       if (incoming.size() > kMaxLine) {
-        ErrorCode ignored;
-        socket.close(ignored);
+        ::shutdown(handle, SHUT_RDWR);
         Fail("the simulator at " + address + " sent a line longer than " +
              std::to_string(kMaxLine >> 20) + " MiB");
       }
@@ -267,32 +391,47 @@ struct Connection::Impl {
     out += '\n';
   }
 
-  void MoveQueued() {
-    outgoing += queued;
-    queued.clear();
+  // Appends lines to what is queued or goes out, in a frame of their own on a fast link.
+  void AppendLines(std::string& out, const std::string& text) {
+    if (splitter) {
+      writer.Lines(out, text);
+    } else {
+      out += text;
+    }
   }
 
-  // Gets `outgoing` onto the socket: here when nobody pumps, else by the pumping thread.
-  void Write() {
-    if (pumping) {
-      asio::post(io, [this] {
-        const std::lock_guard lock(mutex);
-        StartWrite();
-      });
+  void MoveQueued() {
+    writer.Finish(queued);
+    if (outgoing.empty()) {
+      outgoing.swap(queued);  // no copy, and both keep their memory
     } else {
-      StartWrite();
+      outgoing += queued;
     }
+    queued.clear();
   }
 
   void SendPing() {
     const std::uint64_t id = next_id++;
     pending.emplace(id, Pending());
-    outgoing += std::to_string(id) + ' ' + ping + '\n';
+    AppendLines(outgoing, std::to_string(id) + ' ' + ping + '\n');
     Write();
   }
 
-  // Waits, pumping when nobody else does, until `done()` or `until`; true when done. `lock` is held
-  // on entry and exit. Returns on any event, so callers loop.
+  // Queues a command as a line.
+  void QueueLine(const Request& command) {
+    const std::uint64_t id = next_id++;
+    Pending entry;
+    entry.component = command.component;
+    entry.service = command.service;
+    pending.emplace(id, std::move(entry));
+    ++commands_open;
+    lines.clear();
+    AppendRequest(lines, id, command);
+    AppendLines(queued, lines);
+  }
+
+  // Waits, pumping when nobody else does, until something happens or until the time has come.
+  // `lock` is held on entry and exit. Returns on any event, so callers loop.
   void PumpOnce(std::unique_lock<std::mutex>& lock, Clock::time_point until) {
     until = std::min(until, Clock::now() + kLongestSleep);
     if (pumping) {
@@ -300,18 +439,28 @@ struct Connection::Impl {
       return;
     }
     pumping = true;
+    const bool to_send = unsent();
     lock.unlock();
-    if (io.stopped()) io.restart();
-    io.run_one_until(until);
+    const Came came = Receive(until, to_send);
     lock.lock();
     pumping = false;
+    if (unsent()) SendSome();
+    Take(came);
     changed.notify_all();  // another waiting thread takes over
   }
 
   const std::string address;
-  asio::io_context io;
+  asio::io_context io;  // for connecting only
   tcp::socket socket{io};
-  std::array<char, 65536> chunk{};
+  int handle = -1;       // the socket's
+  int wake_handle = -1;  // an eventfd: wakes the pumping thread from its sleep
+  std::atomic<bool> woken{false};
+
+  // The pumping thread's.
+  std::array<char, kReadBlock> chunk{};
+  std::unique_ptr<ccmorse::wire::FrameSplitter> splitter;  // a fast link; set while nobody pumps
+  std::size_t received = 0;
+  int receive_error = 0;
 
   mutable std::mutex mutex;
   std::condition_variable changed;
@@ -319,11 +468,17 @@ struct Connection::Impl {
   std::string error;  // why the connection is down; empty while it stands
   std::uint64_t next_id = 1;
   std::unordered_map<std::uint64_t, Pending> pending;
-  std::size_t commands_open = 0;  // commands without an answer, queued ones included
-  std::string queued;             // commands that wait for the next Send() or Flush()
-  std::string outgoing;           // to be written next
-  std::string in_flight;          // being written
-  bool writing = false;
+  std::shared_ptr<Batch> pending_read;  // the one of SendRead()
+  std::size_t commands_open = 0;        // commands without an answer, queued ones included
+  // Frames that get no answer, and how many of them the server has certainly worked on.
+  std::uint64_t unanswered = 0;
+  std::uint64_t read_covers = 0;
+  std::uint64_t confirmed = 0;
+  FastLinkWriter writer;
+  std::string queued;    // what waits for the next Send() or Flush()
+  std::string outgoing;  // to be written next
+  std::size_t sent = 0;  // of it
+  std::string lines;     // scratch
   bool write_failed = false;
   std::string incoming;  // the start of a line
   Clock::time_point last_heard;
@@ -352,21 +507,67 @@ void Connection::SetReading(bool reading) {
   impl_->reading = reading;
 }
 
+bool Connection::StartFastLink(const Patience& patience, const char* function) {
+  const auto batch =
+      Send({{"ccmorse", "fast_link", "[" + std::to_string(ccmorse::wire::kFastLinkVersion) + "]"}});
+  if (Wait(batch, patience, function) != Outcome::kDone || !batch->replies[0].success) return false;
+  const std::lock_guard lock(impl_->mutex);
+  impl_->splitter = std::make_unique<ccmorse::wire::FrameSplitter>(ccmorse::wire::kMostServerFrame);
+  impl_->splitter->Append(impl_->incoming);
+  impl_->incoming.clear();
+  return true;
+}
+
+bool Connection::IsFast() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->splitter != nullptr;
+}
+
 void Connection::Queue(const Request& command) {
   bool full = false;
   {
     const std::lock_guard lock(impl_->mutex);
     if (!impl_->error.empty()) return;
-    const std::uint64_t id = impl_->next_id++;
-    Impl::Pending entry;
-    entry.component = command.component;
-    entry.service = command.service;
-    impl_->pending.emplace(id, std::move(entry));
-    ++impl_->commands_open;
-    Impl::AppendRequest(impl_->queued, id, command);
+    impl_->QueueLine(command);
     full = impl_->queued.size() > kMaxQueued;
   }
   if (full) Flush(5.0);
+}
+
+template <class Write>
+bool Connection::QueueFrame(Write write) {
+  bool full = false;
+  {
+    const std::lock_guard lock(impl_->mutex);
+    if (!impl_->splitter) return false;
+    if (!impl_->error.empty()) return true;  // dropped, as Queue() does
+    if (!write(impl_->writer, impl_->queued)) return false;
+    ++impl_->unanswered;
+    full = impl_->queued.size() + impl_->writer.waiting() > kMaxQueued;
+  }
+  if (full) Flush(5.0);
+  return true;
+}
+
+bool Connection::QueueNumbers(const std::string& component, const std::string& service,
+                              const double* numbers, std::size_t count) {
+  return QueueFrame([&](FastLinkWriter& writer, std::string& out) {
+    return writer.Command(out, component, service, numbers, count);
+  });
+}
+
+bool Connection::QueueImage(const std::string& component, const std::string& service, int width,
+                            int height, const std::vector<Color_t>& image) {
+  return QueueFrame([&](FastLinkWriter& writer, std::string& out) {
+    return writer.Image(out, component, service, width, height, image);
+  });
+}
+
+bool Connection::QueuePixels(const std::string& component, const std::string& service,
+                             const PixelUpdate_t* pixels, std::size_t count) {
+  return QueueFrame([&](FastLinkWriter& writer, std::string& out) {
+    return writer.Pixels(out, component, service, pixels, count);
+  });
 }
 
 std::shared_ptr<Batch> Connection::Send(const std::vector<Request>& requests) {
@@ -376,16 +577,31 @@ std::shared_ptr<Batch> Connection::Send(const std::vector<Request>& requests) {
   const std::lock_guard lock(impl_->mutex);
   if (!impl_->error.empty()) return batch;  // Wait() reports it
   impl_->MoveQueued();
+  impl_->lines.clear();
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const std::uint64_t id = impl_->next_id++;
     Impl::Pending entry;
     entry.batch = batch;
     entry.index = i;
     impl_->pending.emplace(id, std::move(entry));
-    Impl::AppendRequest(impl_->outgoing, id, requests[i]);
+    Impl::AppendRequest(impl_->lines, id, requests[i]);
   }
+  impl_->AppendLines(impl_->outgoing, impl_->lines);
   impl_->Write();
   return batch;
+}
+
+void Connection::SendRead(const std::vector<FastLinkWriter::Subscription>& changes,
+                          const std::shared_ptr<Batch>& batch) {
+  batch->missing = 1;
+  batch->read_failed = false;
+  const std::lock_guard lock(impl_->mutex);
+  if (!impl_->error.empty()) return;  // Wait() reports it
+  impl_->MoveQueued();
+  impl_->writer.Read(impl_->outgoing, changes);
+  impl_->pending_read = batch;
+  impl_->read_covers = impl_->unanswered;
+  impl_->Write();
 }
 
 void Connection::Flush(double patience) {
@@ -444,7 +660,7 @@ Connection::Outcome Connection::Wait(const std::shared_ptr<Batch>& batch, const 
 void Connection::Wake() {
   const std::lock_guard lock(impl_->mutex);
   impl_->changed.notify_all();
-  if (impl_->pumping) asio::post(impl_->io, [] {});
+  if (impl_->pumping) impl_->WakePump();
 }
 
 std::optional<Refusal> Connection::TakeRefusal() {
@@ -456,19 +672,21 @@ void Connection::Close(double patience) noexcept {
   try {
     std::unique_lock lock(impl_->mutex);
     if (impl_->error.empty()) {
+      // What gets no answer is known to be done when a request behind it got one.
+      if (impl_->confirmed != impl_->unanswered) impl_->QueueLine({"time", "now", ""});
       impl_->MoveQueued();
       impl_->Write();
       // Closing with answers unread would reset the connection, and the simulator might lose the
       // commands that are still on their way to it.
       const auto deadline = Clock::now() + Seconds(patience);
       while (impl_->error.empty() && !impl_->write_failed &&
-             (impl_->commands_open > 0 || impl_->writing) && Clock::now() < deadline) {
+             (impl_->commands_open > 0 || impl_->unsent()) && Clock::now() < deadline) {
         impl_->PumpOnce(lock, deadline);
       }
     }
     impl_->Fail("the client is closed");
     // Other threads may still pump: they leave when they see the error.
-    if (impl_->pumping) asio::post(impl_->io, [] {});
+    if (impl_->pumping) impl_->WakePump();
     const auto deadline = Clock::now() + Seconds(1.0);
     while (impl_->pumping && Clock::now() < deadline) impl_->changed.wait_until(lock, deadline);
     if (!impl_->pumping) {

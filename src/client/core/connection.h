@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "client/core/fast_link.h"
+
 namespace CCMorse::core {
 
 /// What a service answered.
@@ -22,6 +24,9 @@ struct Reply {
 struct Batch {
   std::vector<Reply> replies;
   std::size_t missing = 0;
+  // Of SendRead():
+  bool read_failed = false;
+  std::string data;  ///< payload of the data frame; of a failed read the reason, JSON
 };
 
 struct Request {
@@ -37,9 +42,10 @@ struct Refusal {
   std::string reason;
 };
 
-/// A socket to MORSE's service port: numbered requests out, answers in by their numbers. Any number
-/// of threads may use it at once. One of the waiting threads pumps the socket for all; the others
-/// sleep, and hand it what they want written.
+/// A socket to MORSE's service port: numbered requests out, answers in by their numbers. It starts
+/// with MORSE's lines and may go over to the fast link's frames, in which the lines travel on. Any
+/// number of threads may use it at once. The thread that waits sends and receives by itself; when
+/// several wait, one of them pumps the socket for all, and the others sleep.
 class Connection {
  public:
   /// The longest line that is accepted, bytes.
@@ -72,10 +78,28 @@ class Connection {
   /// Tells Wait() with a timeout that answers may rightly be held back by an outstanding read.
   void SetReading(bool reading);
 
+  /// Asks the server for the fast link (docs/protocols/fast-link.md); true when it agreed. Nothing
+  /// else may be under way. Throws MorseError from `function` when the connection is lost.
+  bool StartFastLink(const Patience& patience, const char* function);
+  /// Whether it is one. Does not change back.
+  bool IsFast() const;
+
   /// Keeps a command for the next Send() or Flush(). Dropped when the socket is down.
   void Queue(const Request& command);
+  /// The same on a fast link, for what it has frames for. False, with nothing queued, when there is
+  /// no fast link or no frame for it.
+  bool QueueNumbers(const std::string& component, const std::string& service, const double* numbers,
+                    std::size_t count);
+  bool QueueImage(const std::string& component, const std::string& service, int width, int height,
+                  const std::vector<Color_t>& image);
+  bool QueuePixels(const std::string& component, const std::string& service,
+                   const PixelUpdate_t* pixels, std::size_t count);
   /// Sends what is queued, then the requests, in one write.
   std::shared_ptr<Batch> Send(const std::vector<Request>& requests);
+  /// On a fast link: sends what is queued, changes of the subscriptions, and a read, in one write.
+  /// `batch` is written anew: nobody else may use it any more. One read at a time.
+  void SendRead(const std::vector<FastLinkWriter::Subscription>& changes,
+                const std::shared_ptr<Batch>& batch);
   /// Sends what is queued. Waits only while more than kMaxQueued bytes cannot be written, at most
   /// `patience` s, then the connection counts as lost.
   void Flush(double patience);
@@ -91,6 +115,8 @@ class Connection {
 
  private:
   struct Impl;
+  template <class Write>
+  bool QueueFrame(Write write);
   const std::unique_ptr<Impl> impl_;
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -9,16 +10,20 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <thread>
 #include <utility>
 
+#include "base/json.h"
 #include "client/core/connection.h"
 #include "client/core/device_registry.h"
 #include "client/core/subscription.h"
 #include "libCCMorse/MorseClient.h"
+#include "wire/fast_link.h"
 
 namespace CCMorse {
 
+namespace wire = ccmorse::wire;
 using Clock = std::chrono::steady_clock;
 using core::Batch;
 using core::Connection;
@@ -73,6 +78,21 @@ std::optional<MorseValue> ValueOf(const Reply& reply) {
   }
 }
 
+// What the environment says: "json" keeps a program to lines.
+bool FastLinkAllowed() {
+  const char* const link = std::getenv("CCMORSE_LINK");
+  return link == nullptr || std::string_view(link) != "json";
+}
+
+// The name of the running program, for the simulator's log; empty where the system does not tell.
+std::string ProgramName() {
+#ifdef __GLIBC__
+  return program_invocation_short_name;
+#else
+  return "";
+#endif
+}
+
 // Why a service was refused, without the quotes.
 std::string Reason(const std::string& text) {
   try {
@@ -82,6 +102,18 @@ std::string Reason(const std::string& text) {
     // No JSON: the raw text has to do.
   }
   return text.empty() ? "no reason given" : text;
+}
+
+std::string Hello() {
+  std::string hello = R"([{"client": "libCCMorse", "protocol": 1, "program": )";
+  ccmorse::AppendJson(hello, std::string_view(ProgramName()));
+  return hello + "}]";
+}
+
+MorseError ReadError(const std::string& text) {
+  const std::string reason = Reason(text);
+  const bool ended = reason.find("simulation has ended") != std::string::npos;
+  return MorseError(reason, kReadFunction, ended ? MorseError::kSimulationEnded : -1);
 }
 
 }  // namespace
@@ -112,9 +144,15 @@ struct MorseClient::Impl {
 
   std::mutex data_mutex;  // devices' data, subscriptions, time
   double time = 0.0;
+  std::uint64_t rounds = 0;  // reads over a fast link
 
   std::mutex read_mutex;              // held for a whole Read()
   std::shared_ptr<Round> unfinished;  // under read_mutex: a Read() that was abandoned
+  // Of a fast link, under read_mutex.
+  std::shared_ptr<Round> fast_round;
+  std::vector<wire::DataForm> forms;  // of the devices, as the server knows them
+  std::vector<core::FastLinkWriter::Subscription> changes;  // scratch
+  std::vector<double> numbers;                              // scratch
 
   mutable std::mutex state_mutex;
   std::condition_variable state_changed;
@@ -132,6 +170,144 @@ struct MorseClient::Impl {
   std::atomic<bool> thread_ended{false};
   std::atomic<bool> stop_run{false};
   std::atomic<bool> closed{false};
+
+  // --- The two ways to read; the read_mutex is held.
+
+  using Signals = std::vector<std::function<void()>>;
+
+  // JSON: one query a device.
+  std::shared_ptr<Round> SendQueries() {
+    auto round = std::make_shared<Round>();
+    std::vector<core::Request> requests;
+    if (ccmorse) requests.push_back({"ccmorse", "read", ""});
+    {
+      const std::lock_guard lock(data_mutex);
+      for (const auto& device : devices) {
+        if (device->polled_) round->devices.push_back(device.get());
+      }
+    }
+    for (const MorseDevice* device : round->devices) {
+      requests.push_back({device->GetName(), "get_local_data", ""});
+    }
+    // Plain MORSE with nothing to ask: its clock paces the loop.
+    if (requests.empty()) requests.push_back({"time", "now", ""});
+    round->batch = connection.Send(requests);
+    return round;
+  }
+
+  void TakeAnswers(const Round& round, std::optional<MorseError>& error, Signals& signals) {
+    // The texts are parsed before the data are locked.
+    const std::vector<Reply>& replies = round.batch->replies;
+    const std::size_t first = ccmorse ? 1 : 0;
+    std::vector<std::optional<MorseValue>> values;
+    for (std::size_t i = 0; i < round.devices.size(); ++i) {
+      const Reply& reply = replies[first + i];
+      values.push_back(reply.success ? ValueOf(reply) : std::nullopt);
+    }
+    double now = std::numeric_limits<double>::quiet_NaN();
+    if (ccmorse) {
+      if (replies[0].success) {
+        now = ValueOf(replies[0]).value_or(MorseValue()).GetDouble("time", now);
+      } else {
+        error.emplace(ReadError(replies[0].text));
+      }
+    } else if (round.devices.empty() && replies[0].success) {
+      now = ValueOf(replies[0]).value_or(MorseValue()).GetDouble("", now);
+    }
+
+    const std::lock_guard lock(data_mutex);
+    for (std::size_t i = 0; i < round.devices.size(); ++i) {
+      if (!values[i]) continue;
+      round.devices[i]->Accept(*values[i]);
+      if (!ccmorse && round.devices[i]->valid_) {
+        now = std::fmax(now, round.devices[i]->timestamp_);
+      }
+    }
+    Refresh(now, signals);
+  }
+
+  // The fast link: what has changed in the subscriptions, and a read.
+  std::shared_ptr<Round> SendFastRead() {
+    // One round is enough for all reads, one after the other.
+    if (!fast_round) {
+      fast_round = std::make_shared<Round>();
+      fast_round->batch = std::make_shared<Batch>();
+      forms.assign(devices.size(), wire::DataForm::kNone);
+    }
+    changes.clear();
+    {
+      const std::lock_guard lock(data_mutex);
+      for (std::size_t i = 0; i < devices.size() && i < wire::kMostDeclared; ++i) {
+        const wire::DataForm form = WantedForm(*devices[i]);
+        if (form == forms[i]) continue;
+        forms[i] = form;
+        changes.push_back({static_cast<std::uint16_t>(i), form, &devices[i]->GetName()});
+      }
+    }
+    connection.SendRead(changes, fast_round->batch);
+    return fast_round;
+  }
+
+  wire::DataForm WantedForm(const MorseDevice& device) const {  // data_mutex held
+    if (!device.polled_) return wire::DataForm::kNone;
+    if (device.wants_text_ || device.Form() == MorseDevice::DataForm::kText) {
+      return wire::DataForm::kText;
+    }
+    // Nobody knows before the first Read() what a program will look at.
+    if (rounds > 0 && !device.in_use_) return wire::DataForm::kNone;
+    return static_cast<wire::DataForm>(device.Form());
+  }
+
+  void TakeFastData(const Round& round, std::optional<MorseError>& error, Signals& signals) {
+    const Batch& batch = *round.batch;
+    if (batch.read_failed) {
+      error.emplace(ReadError(batch.data));
+      return;
+    }
+    const std::lock_guard lock(data_mutex);
+    ++rounds;
+    wire::ByteReader reader(batch.data);
+    const double now = reader.Double();
+    wire::DataEntry entry;
+    while (wire::NextDataEntry(reader, &entry)) {
+      if (entry.id >= devices.size()) continue;
+      MorseDevice& device = *devices[entry.id];
+      device.round_ = rounds;
+      if (entry.form == wire::DataForm::kText) {
+        try {
+          device.Accept(MorseValue::Parse(std::string(entry.bytes)));
+        } catch (const MorseError&) {
+          // No JSON: not taken.
+        }
+      } else if (static_cast<wire::DataForm>(device.Form()) == entry.form) {
+        numbers.resize(entry.bytes.size() / sizeof(double));
+        wire::CopyDoubles(entry.bytes.data(), numbers.size(), numbers.data());
+        device.AcceptNumbers(entry.timestamp, numbers.data(), numbers.size());
+      }
+    }
+    Refresh(reader.ok() ? now : std::numeric_limits<double>::quiet_NaN(), signals);
+  }
+
+  // Time, and the flags of the proxies, after new data; data_mutex held.
+  void Refresh(double now, Signals& signals) {
+    if (std::isfinite(now)) time = now;
+    for (const auto& robot : robots) {
+      for (const auto& subscription : robot->subscriptions_) {
+        const MorseDevice& device = *subscription->device;
+        if (!device.has_data_) continue;
+        subscription->valid = device.valid_;
+        if (!device.valid_ || !(device.timestamp_ > subscription->time)) continue;
+        // The first data count from time 0, as in Player.
+        subscription->elapsed =
+            device.timestamp_ - (std::isfinite(subscription->time) ? subscription->time : 0.0);
+        subscription->time = device.timestamp_;
+        subscription->fresh = true;
+        for (const auto& [id, subscriber] : subscription->subscribers) {
+          signals.push_back(subscriber);
+        }
+      }
+    }
+  }
 
   std::vector<Reply> Ask(const std::vector<core::Request>& requests) {
     const auto batch = connection.Send(requests);
@@ -197,10 +373,9 @@ MorseClient& MorseClient::GetInstance() {
 void MorseClient::Connect() {
   constexpr char kFunction[] = "MorseClient::MorseClient()";
   Impl& impl = *impl_;
-  const std::vector<Reply> replies =
-      impl.Ask({{"simulation", "list_robots", ""},
-                {"simulation", "details", ""},
-                {"ccmorse", "hello", R"([{"client": "libCCMorse", "protocol": 1}])"}});
+  const std::vector<Reply> replies = impl.Ask({{"simulation", "list_robots", ""},
+                                               {"simulation", "details", ""},
+                                               {"ccmorse", "hello", Hello()}});
   const auto answer = [&](std::size_t i, const char* what) {
     const std::optional<MorseValue> value = ValueOf(replies[i]);
     if (!replies[i].success || !value) {
@@ -213,6 +388,7 @@ void MorseClient::Connect() {
   };
   const std::vector<std::string> names = answer(0, "list_robots").GetStrings("");
   const MorseValue details = answer(1, "details");
+  bool fast = false;
   if (replies[2].success) {
     const MorseValue hello = ValueOf(replies[2]).value_or(MorseValue());
     impl.ccmorse = true;
@@ -220,6 +396,7 @@ void MorseClient::Connect() {
     impl.pace = hello.GetString("pace", "realtime");
     impl.frequency = hello.GetDouble("frequency", 60.0);
     impl.read_period = hello.GetDouble("read_period", kMorseTick);
+    fast = hello.GetInt("fast_link") == wire::kFastLinkVersion && FastLinkAllowed();
   }
   impl.connection.SetPing(impl.ccmorse ? "ccmorse ping" : "time now");
 
@@ -254,12 +431,18 @@ void MorseClient::Connect() {
       askers.push_back(device.get());
     }
   }
-  if (requests.empty()) return;
-  const std::vector<Reply> setup = impl.Ask(requests);
-  for (std::size_t i = 0; i < setup.size(); ++i) {
-    const std::optional<MorseValue> value = ValueOf(setup[i]);
-    // A device that gets no settings stays invalid; the others work.
-    if (setup[i].success && value) askers[i]->OnSetup(requests[i].service, *value);
+  if (!requests.empty()) {
+    const std::vector<Reply> setup = impl.Ask(requests);
+    for (std::size_t i = 0; i < setup.size(); ++i) {
+      const std::optional<MorseValue> value = ValueOf(setup[i]);
+      // A device that gets no settings stays invalid; the others work.
+      if (setup[i].success && value) askers[i]->OnSetup(requests[i].service, *value);
+    }
+  }
+  if (fast) {
+    Connection::Patience patience;
+    patience.silence = kConnectSilence;
+    impl.connection.StartFastLink(patience, kFunction);
   }
 }
 
@@ -298,25 +481,10 @@ void MorseClient::ReadOnce(bool may_abandon) {
     impl.state_changed.notify_all();
   };
 
+  const bool fast = impl.connection.IsFast();
   std::shared_ptr<Impl::Round> round = std::exchange(impl.unfinished, nullptr);
   try {
-    if (!round) {
-      round = std::make_shared<Impl::Round>();
-      std::vector<core::Request> requests;
-      if (impl.ccmorse) requests.push_back({"ccmorse", "read", ""});
-      {
-        const std::lock_guard lock(impl.data_mutex);
-        for (const auto& device : impl.devices) {
-          if (device->polled_) round->devices.push_back(device.get());
-        }
-      }
-      for (const MorseDevice* device : round->devices) {
-        requests.push_back({device->GetName(), "get_local_data", ""});
-      }
-      // Plain MORSE with nothing to ask: its clock paces the loop.
-      if (requests.empty()) requests.push_back({"time", "now", ""});
-      round->batch = impl.connection.Send(requests);
-    }
+    if (!round) round = fast ? impl.SendFastRead() : impl.SendQueries();
     Connection::Patience patience;
     if (may_abandon) patience.abandon = &impl.stop_thread;
     if (impl.connection.Wait(round->batch, patience, kReadFunction) ==
@@ -330,55 +498,12 @@ void MorseClient::ReadOnce(bool may_abandon) {
     throw;
   }
 
-  // The texts are parsed before the data are locked.
-  const std::vector<Reply>& replies = round->batch->replies;
-  const std::size_t first = impl.ccmorse ? 1 : 0;
-  std::vector<std::optional<MorseValue>> values;
-  for (std::size_t i = 0; i < round->devices.size(); ++i) {
-    const Reply& reply = replies[first + i];
-    values.push_back(reply.success ? ValueOf(reply) : std::nullopt);
-  }
   std::optional<MorseError> error;
-  double time = std::numeric_limits<double>::quiet_NaN();
-  if (impl.ccmorse) {
-    if (replies[0].success) {
-      time = ValueOf(replies[0]).value_or(MorseValue()).GetDouble("time", time);
-    } else {
-      const std::string reason = Reason(replies[0].text);
-      const bool ended = reason.find("simulation has ended") != std::string::npos;
-      error.emplace(reason, kReadFunction, ended ? MorseError::kSimulationEnded : -1);
-    }
-  } else if (round->devices.empty() && replies[0].success) {
-    time = ValueOf(replies[0]).value_or(MorseValue()).GetDouble("", time);
-  }
-
   std::vector<std::function<void()>> signals;
-  {
-    const std::lock_guard lock(impl.data_mutex);
-    for (std::size_t i = 0; i < round->devices.size(); ++i) {
-      if (!values[i]) continue;
-      round->devices[i]->Accept(*values[i]);
-      if (!impl.ccmorse && round->devices[i]->valid_) {
-        time = std::fmax(time, round->devices[i]->timestamp_);
-      }
-    }
-    if (std::isfinite(time)) impl.time = time;
-    for (const auto& robot : impl.robots) {
-      for (const auto& subscription : robot->subscriptions_) {
-        const MorseDevice& device = *subscription->device;
-        if (!device.has_data_) continue;
-        subscription->valid = device.valid_;
-        if (!device.valid_ || !(device.timestamp_ > subscription->time)) continue;
-        // The first data count from time 0, as in Player.
-        subscription->elapsed =
-            device.timestamp_ - (std::isfinite(subscription->time) ? subscription->time : 0.0);
-        subscription->time = device.timestamp_;
-        subscription->fresh = true;
-        for (const auto& [id, subscriber] : subscription->subscribers) {
-          signals.push_back(subscriber);
-        }
-      }
-    }
+  if (fast) {
+    impl.TakeFastData(*round, error, signals);
+  } else {
+    impl.TakeAnswers(*round, error, signals);
   }
   leave(true);
   const std::optional<core::Refusal> refusal = impl.connection.TakeRefusal();
@@ -581,6 +706,7 @@ std::vector<MorseDevice*> MorseClient::GetDevices() const {
 bool MorseClient::IsCCMorse() const { return impl_->ccmorse; }
 std::string MorseClient::GetServerName() const { return impl_->server; }
 std::string MorseClient::GetPace() const { return impl_->pace; }
+std::string MorseClient::GetLink() const { return impl_->connection.IsFast() ? "fast" : "json"; }
 double MorseClient::GetFrequency() const { return impl_->frequency; }
 double MorseClient::GetReadPeriod() const { return impl_->read_period; }
 
@@ -617,6 +743,46 @@ MorseValue MorseClient::Request(const std::string& component, const std::string&
   const std::optional<MorseValue> value = ValueOf(reply);
   if (!value) throw MorseError("the answer to " + what + " is no JSON", kFunction);
   return *value;
+}
+
+void MorseClient::Fetch(const std::string& device, bool text) {
+  Impl& impl = *impl_;
+  if (!impl.connection.IsFast()) return;
+  const auto found = std::find_if(impl.devices.begin(), impl.devices.end(),
+                                  [&](const auto& entry) { return entry->GetName() == device; });
+  if (found == impl.devices.end()) return;
+  {
+    // Before the first Read(), and during one, the program has nothing newer to expect.
+    const std::lock_guard lock(impl.state_mutex);
+    if (!text && (impl.in_read || impl.reads == 0)) return;
+  }
+  {
+    const std::lock_guard lock(impl.data_mutex);
+    const bool current = !text && (*found)->round_ == impl.rounds;
+    if (!(*found)->polled_ || current) return;
+  }
+  try {
+    const MorseValue data = Request(device, "get_local_data");
+    const std::lock_guard lock(impl.data_mutex);
+    (*found)->Accept(data);
+  } catch (const MorseError&) {
+    // What there was stays; the next Read() reports a lost connection.
+  }
+}
+
+bool MorseClient::QueueNumbers(const std::string& component, const std::string& service,
+                               const double* numbers, std::size_t count) {
+  return impl_->connection.QueueNumbers(component, service, numbers, count);
+}
+
+bool MorseClient::QueueImage(const std::string& component, const std::string& service, int width,
+                             int height, const std::vector<Color_t>& image) {
+  return impl_->connection.QueueImage(component, service, width, height, image);
+}
+
+bool MorseClient::QueuePixels(const std::string& component, const std::string& service,
+                              const PixelUpdate_t* pixels, std::size_t count) {
+  return impl_->connection.QueuePixels(component, service, pixels, count);
 }
 
 void MorseClient::Flush() { impl_->connection.Flush(kRequestTimeout); }

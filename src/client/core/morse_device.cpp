@@ -100,22 +100,37 @@ bool MorseDevice::HasService(const std::string& name) const {
 
 std::mutex& MorseDevice::DataMutex() const { return info_.client->DataMutex(); }
 
+void MorseDevice::StartUse() const {
+  in_use_ = true;
+  info_.client->Fetch(info_.name, false);
+}
+
 bool MorseDevice::HasData() const {
+  Use();
   const std::lock_guard lock(DataMutex());
   return has_data_;
 }
 
 bool MorseDevice::IsValid() const {
+  Use();
   const std::lock_guard lock(DataMutex());
   return valid_;
 }
 
 double MorseDevice::GetTimestamp() const {
+  Use();
   const std::lock_guard lock(DataMutex());
   return timestamp_;
 }
 
 MorseValue MorseDevice::GetData() const {
+  Use();
+  {
+    const std::lock_guard lock(DataMutex());
+    wants_text_ = true;
+    if (!data_missing_) return data_;
+  }
+  info_.client->Fetch(info_.name, true);
   const std::lock_guard lock(DataMutex());
   return data_;
 }
@@ -142,12 +157,38 @@ MorseValue MorseDevice::Request(const std::string& service, const MorseArgs& arg
   return info_.client->Request(info_.name, service, args, timeout);
 }
 
+void MorseDevice::CommandNumbers(const char* service, std::initializer_list<double> numbers) {
+  if (info_.client->QueueNumbers(info_.name, service, numbers.begin(), numbers.size())) return;
+  MorseArgs args;
+  for (const double number : numbers) args.Add(number);
+  Command(service, args);
+}
+
+bool MorseDevice::CommandImage(const char* service, int width, int height,
+                               const std::vector<Color_t>& image) {
+  return info_.client->QueueImage(info_.name, service, width, height, image);
+}
+
+bool MorseDevice::CommandPixels(const char* service, const PixelUpdate_t* pixels,
+                                std::size_t count) {
+  return info_.client->QueuePixels(info_.name, service, pixels, count);
+}
+
 void MorseDevice::Accept(const MorseValue& data) {
   if (!data.IsObject()) return;
   const double timestamp = data.GetDouble("timestamp", std::numeric_limits<double>::quiet_NaN());
   data_ = data;
+  data_missing_ = false;
   has_data_ = true;
   valid_ = OnData(data) && std::isfinite(timestamp);
+  if (valid_) timestamp_ = timestamp;
+}
+
+void MorseDevice::AcceptNumbers(double timestamp, const double* numbers, std::size_t count) {
+  if (!data_missing_) data_ = MorseValue();
+  data_missing_ = true;
+  has_data_ = true;
+  valid_ = OnNumbers(numbers, count) && std::isfinite(timestamp);
   if (valid_) timestamp_ = timestamp;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <typeinfo>
 
 #include "base/trig.h"
 #include "libCCMorse/MorseError.h"
@@ -41,29 +42,39 @@ void MorseLaser::OnSetup(const std::string& /*service*/, const MorseValue& answe
 }
 
 bool MorseLaser::OnData(const MorseValue& data) {
-  std::vector<double> ranges = data.GetDoubles("range_list");
-  if (ranges.empty() || max_range_ == 0.0 || resolution_ == 0.0 || scan_window_ == 0.0)
-    return false;
-  for (double& range : ranges) {
+  const std::vector<double> ranges = data.GetDoubles("range_list");
+  return OnNumbers(ranges.data(), ranges.size());
+}
+
+MorseDevice::DataForm MorseLaser::Form() const {
+  return typeid(*this) == typeid(MorseLaser) ? DataForm::kScan : DataForm::kText;
+}
+
+bool MorseLaser::OnNumbers(const double* numbers, std::size_t count) {
+  if (count == 0 || max_range_ == 0.0 || resolution_ == 0.0 || scan_window_ == 0.0) return false;
+  ranges_.assign(numbers, numbers + count);
+  for (double& range : ranges_) {
     // What is no number met nothing; the comparison is false for it.
     if (!(range < max_range_)) range = max_range_;
     if (range < 0.0) range = 0.0;
   }
-  ranges_ = std::move(ranges);
   return true;
 }
 
 std::size_t MorseLaser::GetCount() const {
+  Use();
   const std::lock_guard lock(DataMutex());
   return ranges_.size();
 }
 
 std::vector<double> MorseLaser::GetRanges() const {
+  Use();
   const std::lock_guard lock(DataMutex());
   return ranges_;
 }
 
 double MorseLaser::GetRange(std::size_t index) const {
+  Use();
   const std::lock_guard lock(DataMutex());
   if (index >= ranges_.size()) {
     throw MorseError("index " + std::to_string(index) + " of " + std::to_string(ranges_.size()),
@@ -77,12 +88,14 @@ double MorseLaser::GetBearing(std::size_t index) const {
 }
 
 double MorseLaser::GetMinRange() const {
+  Use();
   const std::lock_guard lock(DataMutex());
   const auto nearest = std::min_element(ranges_.begin(), ranges_.end());
   return nearest == ranges_.end() ? max_range_ : *nearest;
 }
 
 double MorseLaser::GetMinRangeAngle() const {
+  Use();
   const std::lock_guard lock(DataMutex());
   const auto nearest = std::min_element(ranges_.begin(), ranges_.end());
   return nearest == ranges_.end() ? 0.0

@@ -18,7 +18,7 @@ void MorseMotionVW::SetSpeed(double v, double w) {
   if (!std::isfinite(v) || !std::isfinite(w)) {
     throw MorseError("a speed is no finite number", "MorseMotionVW::SetSpeed()");
   }
-  Command("set_speed", MorseArgs(v, w));
+  CommandNumbers("set_speed", {v, w});
 }
 
 void MorseMotionVW::Stop() { SetSpeed(0.0, 0.0); }

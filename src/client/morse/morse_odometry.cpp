@@ -1,3 +1,5 @@
+#include <typeinfo>
+
 #include "client/morse/read_pose.h"
 #include "libCCMorse/MorseOdometry.h"
 
@@ -26,17 +28,35 @@ bool MorseOdometry::OnData(const MorseValue& data) {
   return true;
 }
 
+MorseDevice::DataForm MorseOdometry::Form() const {
+  return typeid(*this) == typeid(MorseOdometry) ? DataForm::kOdometry : DataForm::kText;
+}
+
+bool MorseOdometry::OnNumbers(const double* numbers, std::size_t count) {
+  constexpr std::size_t kCount = 13;
+  const auto pose = count == kCount ? ReadPose(numbers) : std::nullopt;
+  const auto speed = count == kCount ? ReadPose(numbers + 6) : std::nullopt;
+  if (!pose || !speed) return false;
+  pose_ = *pose;
+  speed_ = *speed;
+  stall_ = numbers[12] != 0.0;
+  return true;
+}
+
 player_pose3d_t MorseOdometry::GetPose() const {
+  Use();
   const std::lock_guard lock(DataMutex());
   return pose_;
 }
 
 player_pose3d_t MorseOdometry::GetSpeed() const {
+  Use();
   const std::lock_guard lock(DataMutex());
   return speed_;
 }
 
 bool MorseOdometry::GetStall() const {
+  Use();
   const std::lock_guard lock(DataMutex());
   return stall_;
 }

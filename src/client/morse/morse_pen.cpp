@@ -15,6 +15,11 @@ const bool kRegistered = RegisterMorseDevice({{"pen"}, {"Pen"}, [](const MorseDe
 // The simulator takes cells in this range, on the canvas or not.
 constexpr int kFarthestCell = 1000000000;
 
+ImagePoint_t Held(ImagePoint_t at) {
+  return {std::clamp(at.x, -kFarthestCell, kFarthestCell),
+          std::clamp(at.y, -kFarthestCell, kFarthestCell)};
+}
+
 Color_t Color(const MorseValue& value) {
   return Paint_t(value.GetInt("0"), value.GetInt("1"), value.GetInt("2")).color();
 }
@@ -56,6 +61,8 @@ void MorsePen::Draw(const char* service, const std::vector<int>& cells, const Pa
 }
 
 void MorsePen::DrawPixel(ImagePoint_t at, const Paint_t& paint) {
+  const PixelUpdate_t pixel{Held(at), paint.color()};
+  if (!(paint.alpha() < 1.0) && CommandPixels("update_image_data", &pixel, 1)) return;
   Draw("set_pixel", {at.x, at.y}, paint);
 }
 
@@ -91,6 +98,7 @@ void MorsePen::SetImageData(const std::vector<Color_t>& image) {
                        "MorsePen::SetImageData()");
     }
   }
+  if (CommandImage("set_image_data", GetWidth(), GetHeight(), image)) return;
   MorseArgs pixels;
   for (const Color_t& color : image) {
     pixels.Add(MorseArgs(int{color.r}, int{color.g}, int{color.b}));
@@ -100,11 +108,14 @@ void MorsePen::SetImageData(const std::vector<Color_t>& image) {
 
 void MorsePen::UpdateImageData(const std::vector<PixelUpdate_t>& pixels) {
   if (pixels.empty()) return;
+  // A cell too far off to be named is off the canvas as much as the farthest that can be.
+  std::vector<PixelUpdate_t> held(pixels);
+  for (PixelUpdate_t& pixel : held) pixel.point = Held(pixel.point);
+  if (CommandPixels("update_image_data", held.data(), held.size())) return;
   MorseArgs list;
-  for (const PixelUpdate_t& pixel : pixels) {
-    list.Add(MorseArgs(std::clamp(pixel.point.x, -kFarthestCell, kFarthestCell),
-                       std::clamp(pixel.point.y, -kFarthestCell, kFarthestCell), int{pixel.color.r},
-                       int{pixel.color.g}, int{pixel.color.b}));
+  for (const PixelUpdate_t& pixel : held) {
+    list.Add(MorseArgs(pixel.point.x, pixel.point.y, int{pixel.color.r}, int{pixel.color.g},
+                       int{pixel.color.b}));
   }
   Command("update_image_data", MorseArgs().Add(list));
 }

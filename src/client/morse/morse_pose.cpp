@@ -1,3 +1,5 @@
+#include <typeinfo>
+
 #include "client/morse/read_pose.h"
 #include "libCCMorse/MorsePose.h"
 
@@ -17,9 +19,20 @@ bool MorsePose::OnData(const MorseValue& data) {
   return pose.has_value();
 }
 
+MorseDevice::DataForm MorsePose::Form() const {
+  return typeid(*this) == typeid(MorsePose) ? DataForm::kPose : DataForm::kText;
+}
+
+bool MorsePose::OnNumbers(const double* numbers, std::size_t count) {
+  const auto pose = count == 6 ? ReadPose(numbers) : std::nullopt;
+  if (pose) pose_ = *pose;
+  return pose.has_value();
+}
+
 bool MorsePose::HasPose() const { return IsValid(); }
 
 player_pose3d_t MorsePose::GetPose() const {
+  Use();
   const std::lock_guard lock(DataMutex());
   return pose_;
 }

@@ -21,6 +21,14 @@ inline std::optional<player_pose3d_t> ReadPose(const MorseValue& data,
   return player_pose3d_t{numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]};
 }
 
+/// The same of numbers in the order of the fast link.
+inline std::optional<player_pose3d_t> ReadPose(const double* numbers) {
+  for (int i = 0; i < 6; ++i) {
+    if (!std::isfinite(numbers[i])) return std::nullopt;
+  }
+  return player_pose3d_t{numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]};
+}
+
 inline constexpr const char* kPoseKeys[6] = {"x", "y", "z", "roll", "pitch", "yaw"};
 
 }  // namespace CCMorse

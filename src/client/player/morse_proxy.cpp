@@ -22,6 +22,7 @@ MorseProxy::MorseProxy(PlayerClient* client, std::uint32_t index, std::string in
   subscription_->proxy = this;
   subscription_->device = device_;
   robot_->AddSubscription(subscription_);
+  device_->Use();
 }
 
 MorseProxy::~MorseProxy() { robot_->RemoveSubscription(subscription_.get()); }

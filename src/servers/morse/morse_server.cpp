@@ -5,7 +5,6 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/asio/write.hpp>
 #include <chrono>
 #include <cmath>
 #include <deque>
@@ -13,8 +12,12 @@
 #include <set>
 #include <utility>
 
-#include "base/error.h"
 #include "base/log.h"
+#include "servers/fast_link/fast_link_session.h"
+#include "servers/net/listener.h"
+#include "servers/net/outbox.h"
+#include "servers/net/warning_limit.h"
+#include "wire/fast_link.h"
 #include "wire/morse_line.h"
 
 namespace ccmorse::servers {
@@ -24,10 +27,11 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using ErrorCode = boost::system::error_code;
 using sim::Outcome;
+using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kReadBlock = 64U << 10;
+constexpr std::size_t kFrameBlock = 128U << 10;       // a whole canvas at once
 constexpr auto kTurn = std::chrono::milliseconds(1);  // of one connection before others get theirs
-constexpr auto kAcceptPause = std::chrono::milliseconds(100);
 
 const char* StatusWord(Outcome outcome) {
   switch (outcome) {
@@ -40,143 +44,6 @@ const char* StatusWord(Outcome outcome) {
   }
   return "PREEMPTED";
 }
-
-// Lets a few warnings a second through, so that garbage from the network cannot fill a disk.
-class WarningLimit {
- public:
-  template <typename... Args>
-  void Warn(fmt::format_string<Args...> format, Args&&... args) {
-    const auto now = std::chrono::steady_clock::now();
-    if (now - since_ > std::chrono::seconds(1)) {
-      if (count_ > kPerSecond) LogWarning("... and {} more like these", count_ - kPerSecond);
-      since_ = now;
-      count_ = 0;
-    }
-    if (++count_ <= kPerSecond) LogWarning(format, std::forward<Args>(args)...);
-  }
-
- private:
-  static constexpr int kPerSecond = 5;
-  std::chrono::steady_clock::time_point since_{};
-  int count_ = 0;
-};
-
-// A listening socket that hands on every accepted one, and waits a little when the system has no
-// more file handles, instead of asking without end.
-class Listener : public std::enable_shared_from_this<Listener> {
- public:
-  using Taker = std::function<void(tcp::socket)>;
-
-  Listener(asio::io_context& io, Taker take) : acceptor_(io), pause_(io), take_(std::move(take)) {}
-
-  // Port 0 takes any free one. With `search`, taken ports are passed over.
-  void Open(const std::string& address, int port, bool search) {
-    ErrorCode error;
-    const auto ip = asio::ip::make_address(address, error);
-    if (error) throw Error("cannot listen on '" + address + "': it is not an IP address");
-    for (;; ++port) {
-      const tcp::endpoint endpoint(ip, static_cast<std::uint16_t>(port));
-      acceptor_.open(endpoint.protocol());
-      acceptor_.set_option(tcp::acceptor::reuse_address(true));
-      acceptor_.bind(endpoint, error);
-      if (!error) acceptor_.listen(tcp::acceptor::max_listen_connections, error);
-      if (!error) break;
-      acceptor_.close();
-      if (!search || error != asio::error::address_in_use || port >= 65535) {
-        throw Error("cannot listen on " + address + " port " + std::to_string(port) + ": " +
-                    error.message() +
-                    (error == asio::error::address_in_use
-                         ? "; another simulation may be running there, choose another with --port"
-                         : ""));
-      }
-    }
-    Accept();
-  }
-
-  int port() const {
-    ErrorCode ignored;
-    return acceptor_.local_endpoint(ignored).port();
-  }
-
-  void Close() {
-    ErrorCode ignored;
-    acceptor_.close(ignored);
-    pause_.cancel();
-    take_ = nullptr;
-  }
-
- private:
-  void Accept() {
-    acceptor_.async_accept([self = shared_from_this()](ErrorCode error, tcp::socket socket) {
-      if (!self->take_ || error == asio::error::operation_aborted) return;
-      if (error) {
-        self->warnings_.Warn("cannot accept a connection: {}", error.message());
-        self->pause_.expires_after(kAcceptPause);
-        self->pause_.async_wait([self](ErrorCode stopped) {
-          if (!stopped && self->take_) self->Accept();
-        });
-        return;
-      }
-      ErrorCode ignored;
-      socket.set_option(tcp::no_delay(true), ignored);
-      socket.non_blocking(true, ignored);
-      self->take_(std::move(socket));
-      self->Accept();
-    });
-  }
-
-  tcp::acceptor acceptor_;
-  asio::steady_timer pause_;
-  Taker take_;
-  WarningLimit warnings_;
-};
-
-// Bytes on their way out of one socket. What the socket takes at once goes at once; the rest
-// follows as the peer reads.
-class Outbox {
- public:
-  explicit Outbox(tcp::socket& socket) : socket_(socket) {}
-
-  std::string& text() { return waiting_; }
-  std::size_t size() const { return waiting_.size() + sending_.size() - sent_; }
-  bool busy() const { return busy_; }
-
-  // `keep` holds the owner alive; `done` is called after each completed write, with its error.
-  template <typename Done>
-  void Flush(std::shared_ptr<void> keep, Done done) {
-    if (busy_ || waiting_.empty()) return;
-    sending_.swap(waiting_);
-    waiting_.clear();
-    ErrorCode error;
-    sent_ = socket_.write_some(asio::buffer(sending_), error);
-    if (error && error != asio::error::would_block) {
-      sending_.clear();
-      sent_ = 0;
-      return done(error);
-    }
-    if (error) sent_ = 0;
-    if (sent_ == sending_.size()) {
-      sending_.clear();
-      sent_ = 0;
-      return;
-    }
-    busy_ = true;
-    asio::async_write(socket_, asio::buffer(sending_) + sent_,
-                      [this, keep = std::move(keep), done](ErrorCode failed, std::size_t) {
-                        busy_ = false;
-                        sending_.clear();
-                        sent_ = 0;
-                        done(failed);
-                      });
-  }
-
- private:
-  tcp::socket& socket_;
-  std::string waiting_;
-  std::string sending_;
-  std::size_t sent_ = 0;
-  bool busy_ = false;
-};
 
 }  // namespace
 
@@ -214,6 +81,9 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
     std::uint64_t count = 0;
   };
 
+  // Answers what is due. Connections may come to their end by it.
+  void TellConnections();
+
   asio::io_context& io;
   sim::Simulation& simulation;
   Pace pace;
@@ -221,6 +91,7 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
   ServiceDirectory directory;
   std::shared_ptr<Listener> listener;
   std::set<std::shared_ptr<ServiceConnection>> connections;
+  std::vector<std::shared_ptr<ServiceConnection>> told;  // scratch of TellConnections()
   std::vector<std::shared_ptr<StreamPort>> streams;
   std::size_t stream_clients = 0;
   int readers_ever = 0;  // connections that have sent a read
@@ -232,8 +103,8 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
   bool closed = false;
 };
 
-// One client of the service port. Requests are answered in order; a `read` holds back those behind
-// it until its time has come.
+// One client of the service port: lines, or, once it has asked for them, the fast link's frames.
+// Requests are answered in order; a `read` holds back those behind it until its time has come.
 class MorseServer::ServiceConnection
     : public std::enable_shared_from_this<MorseServer::ServiceConnection> {
  public:
@@ -242,21 +113,32 @@ class MorseServer::ServiceConnection
         socket_(std::move(socket)),
         peek_timer_(shared.io),
         outbox_(socket_),
-        lines_(shared.options.longest_request) {}
+        lines_(shared.options.longest_request),
+        frames_(wire::kMostClientFrame) {
+    ErrorCode ignored;
+    const tcp::endpoint peer = socket_.remote_endpoint(ignored);
+    address_ = name_ = peer.address().to_string() + ":" + std::to_string(peer.port());
+  }
 
   void Start() { Read(); }
 
   bool reads() const { return joined_; }
-  bool read_outstanding() const { return read_id_.has_value(); }
+  bool read_outstanding() const { return read_waits_; }
   std::uint64_t read_tick() const { return shared_.ReadTick(next_read_); }
+  /// When the outstanding read came.
+  Clock::time_point read_since() const { return read_since_; }
+  /// When anything came.
+  Clock::time_point heard() const { return heard_; }
+  /// Address, port and what the client calls itself, for the log.
+  const std::string& name() const { return name_; }
 
   // After a Sense(): the outstanding read or peek may be due now.
   void Sensed() {
-    if (!DataAreDue()) return;
+    if (!held_back() || !DataAreDue()) return;
     if (peek_id_) {
       AnswerPeek(true);
-    } else if (!read_id_ || !AnswerRead()) {
-      return;
+    } else {
+      AnswerRead();
     }
     Process();
   }
@@ -267,26 +149,63 @@ class MorseServer::ServiceConnection
     peek_timer_.cancel();
   }
 
+  void Leave() {
+    if (left_) return;
+    left_ = true;
+    Close();
+    shared_.connections.erase(shared_from_this());
+  }
+
  private:
   void Read() {
     reading_ = true;
+    if (fast_ != nullptr) {
+      socket_.async_wait(tcp::socket::wait_read, [self = shared_from_this()](ErrorCode error) {
+        self->reading_ = false;
+        if (self->shared_.closed || self->left_) return;
+        if (error) return self->Leave();
+        self->ReceiveFrames();
+      });
+      return;
+    }
     block_.resize(kReadBlock);
     socket_.async_read_some(asio::buffer(block_),
                             [self = shared_from_this()](ErrorCode error, std::size_t size) {
                               self->reading_ = false;
-                              if (self->shared_.closed) return;
+                              if (self->shared_.closed || self->left_) return;
                               if (error) return self->Leave();
-                              self->lines_.Append(std::string_view(self->block_.data(), size));
-                              if (self->read_id_) self->AnswerPings();
-                              self->Process();
+                              const std::string_view bytes(self->block_.data(), size);
+                              if (self->fast_ != nullptr) {  // it became a fast link meanwhile
+                                self->frames_.Append(bytes);
+                              } else {
+                                self->lines_.Append(bytes);
+                              }
+                              self->Received();
                             });
+  }
+
+  void ReceiveFrames() {
+    ErrorCode error;
+    const std::size_t size =
+        socket_.read_some(asio::buffer(frames_.Space(kFrameBlock), kFrameBlock), error);
+    if (error == asio::error::would_block) return KeepReading();
+    if (error) return Leave();
+    frames_.Commit(size);
+    Received();
+  }
+
+  void Received() {
+    heard_ = Clock::now();
+    Process();
   }
 
   // Reads on unless the client floods us or does not fetch its replies.
   void KeepReading() {
     if (reading_ || !socket_.is_open()) return;
     if (outbox_.size() > shared_.options.most_unread) return;  // goes on when they are sent
-    if (lines_.buffered() + queued_bytes_ > shared_.options.longest_request + kReadBlock) return;
+    const std::size_t most = fast_ != nullptr ? wire::kFrameHeader + wire::kMostClientFrame
+                                              : shared_.options.longest_request;
+    if (lines_.buffered() + frames_.buffered() + queued_bytes_ > most + kReadBlock) return;
     Read();
   }
 
@@ -295,16 +214,23 @@ class MorseServer::ServiceConnection
     if (shared_.closed || !socket_.is_open()) return;
     bool more = false;
     serving_ = true;
-    const auto until = std::chrono::steady_clock::now() + kTurn;
-    while (!held_back() && outbox_.size() <= shared_.options.most_unread) {
-      if (std::chrono::steady_clock::now() > until) {
+    const auto until = Clock::now() + kTurn;
+    wire::Frame next;
+    while (!left_ && !held_back() && outbox_.size() <= shared_.options.most_unread &&
+           TakeNext(&next)) {
+      if (next.type == wire::FrameType::kLines) {
+        Serve(next.payload);
+      } else {
+        ServeFrame(next);
+      }
+      if (Clock::now() > until) {
         more = true;
         break;
       }
-      if (!TakeLine()) break;
-      Serve(line_);
     }
+    if (read_waits_) AnswerPings();
     serving_ = false;
+    if (left_) return;
     Flush();
     if (more) {
       if (!turn_posted_) {
@@ -319,15 +245,44 @@ class MorseServer::ServiceConnection
     KeepReading();
   }
 
-  bool held_back() const { return read_id_.has_value() || peek_id_.has_value(); }
+  bool held_back() const { return read_waits_ || peek_id_.has_value(); }
 
-  bool TakeLine() {
+  // The next line (as kLines, without its end) or frame. The view is good until the next call.
+  bool TakeNext(wire::Frame* next) {
     if (!queue_.empty()) {
-      line_ = std::move(queue_.front());
+      next->type = queue_.front().type;
+      line_ = std::move(queue_.front().bytes);
       queue_.pop_front();
       queued_bytes_ -= line_.size();
+      next->payload = line_;
       return true;
     }
+    return Receive(next);
+  }
+
+  // The next one of those that were not set aside.
+  bool Receive(wire::Frame* next) {
+    for (;;) {
+      if (TakeLine()) {
+        *next = {wire::FrameType::kLines, line_};
+        return true;
+      }
+      if (fast_ == nullptr) return false;
+      switch (frames_.Next(next)) {
+        case wire::FrameSplitter::Result::kFrame:
+          if (next->type != wire::FrameType::kLines) return true;
+          lines_.Append(next->payload);
+          break;
+        case wire::FrameSplitter::Result::kNeedMore:
+          return false;
+        case wire::FrameSplitter::Result::kBroken:
+          Break();
+          return false;
+      }
+    }
+  }
+
+  bool TakeLine() {
     std::string_view line;
     for (;;) {
       switch (lines_.Next(&line)) {
@@ -346,28 +301,37 @@ class MorseServer::ServiceConnection
   void RefuseLongLine() {
     shared_.warnings.Warn("MORSE client: a request longer than {} bytes was dropped",
                           shared_.options.longest_request);
-    wire::AppendMorseReply(outbox_.text(), "", "FAILED",
-                           Json("Malformed request! A line may have at most " +
-                                std::to_string(shared_.options.longest_request) + " bytes"));
+    Reply("", {Outcome::kFailed, Json("Malformed request! A line may have at most " +
+                                      std::to_string(shared_.options.longest_request) + " bytes")});
   }
 
-  // While a read waits, lines are set aside, but for pings.
+  // Where the frames end there is no finding the next one.
+  void Break() {
+    shared_.warnings.Warn("client {} sent what is no frame of the fast link: it is let go", name_);
+    Leave();
+  }
+
+  // While a read waits, requests are set aside, but for pings.
   void AnswerPings() {
-    std::string_view line;
-    for (;;) {
-      const auto result = lines_.Next(&line);
-      if (result == wire::LineSplitter::Result::kNeedMore) break;
-      if (result == wire::LineSplitter::Result::kTooLong) {
-        RefuseLongLine();
-        continue;
+    wire::Frame next;
+    while (!left_ && Receive(&next)) {
+      if (next.type == wire::FrameType::kLines) {
+        const wire::MorseRequest request = wire::ParseMorseRequest(next.payload);
+        if (request.component == "ccmorse" && request.service == "ping") {
+          Reply(request.id, {Outcome::kSuccess, Json("pong")});
+          continue;
+        }
       }
-      const wire::MorseRequest request = wire::ParseMorseRequest(line);
-      if (request.component == "ccmorse" && request.service == "ping") {
-        Reply(request.id, {Outcome::kSuccess, Json("pong")});
-      } else {
-        queued_bytes_ += line.size();
-        queue_.emplace_back(line);
-      }
+      queued_bytes_ += next.payload.size();
+      queue_.push_back({next.type, std::string(next.payload)});
+    }
+  }
+
+  void ServeFrame(const wire::Frame& frame) {
+    if (frame.type == wire::FrameType::kRead && frame.payload.empty()) {
+      HoldRead("", true);
+    } else if (!fast_->Take(frame)) {
+      Break();
     }
   }
 
@@ -416,17 +380,7 @@ class MorseServer::ServiceConnection
   // The services of docs/protocols/ccmorse-services.md.
   bool ServeOwn(const wire::MorseRequest& request) {
     if (request.service == "read") {
-      read_id_ = std::string(request.id);
-      if (!joined_) {
-        joined_ = true;
-        ++shared_.readers_ever;
-        // The first read gets what the sensors show now, or will show first.
-        next_read_ = shared_.sensed_once ? shared_.ReadAt(shared_.sensed_tick) : 0;
-      } else if (shared_.pace.name != "lockstep") {
-        // A client that was slow gets the newest data, not the ones that it missed.
-        next_read_ = std::max(next_read_, shared_.ReadAt(shared_.sensed_tick));
-      }
-      AnswerRead();
+      HoldRead(request.id, false);
       return true;
     }
     if (request.service == "ping") {
@@ -438,9 +392,15 @@ class MorseServer::ServiceConnection
             {Outcome::kSuccess,
              Json(Json::Object{{"server", "ccmorse " CCMORSE_VERSION},
                                {"protocol", 1},
+                               {"fast_link", wire::kFastLinkVersion},
                                {"pace", shared_.pace.name},
                                {"frequency", shared_.simulation.scenario().time.frequency},
                                {"read_period", 1.0 / shared_.pace.read_frequency}})});
+      TakeName(request.parameters);
+      return true;
+    }
+    if (request.service == "fast_link") {
+      StartFastLink(request);
       return true;
     }
     if (request.service == "peek") {
@@ -450,23 +410,98 @@ class MorseServer::ServiceConnection
     return false;
   }
 
+  // hello's {"client": "text", "program": "text"}, for the log.
+  void TakeName(std::string_view parameters) {
+    try {
+      const Json parsed = Json::Parse(parameters);
+      if (!parsed.IsArray() || parsed.AsArray().empty()) return;
+      name_ = address_;
+      for (const char* key : {"client", "program"}) {
+        const Json* text = parsed.AsArray()[0].Find(key);
+        if (text == nullptr || !text->IsString()) continue;
+        name_ += ' ' + Json(text->AsString().substr(0, 100)).Dump();
+      }
+    } catch (const JsonError&) {
+      // A client without a name.
+    }
+  }
+
+  // Answers in lines; from then on there are frames only, both ways.
+  void StartFastLink(const wire::MorseRequest& request) {
+    std::string wanted;
+    try {
+      const Json parsed = Json::Parse(request.parameters);
+      wanted = parsed.IsArray() && parsed.AsArray().size() == 1 ? parsed.AsArray()[0].Dump() : "";
+    } catch (const JsonError&) {
+      // Answered below.
+    }
+    const std::string ours = std::to_string(wire::kFastLinkVersion);
+    if (fast_ != nullptr || wanted != ours) {
+      Reply(request.id,
+            {Outcome::kFailed,
+             Json(fast_ != nullptr ? "This is a fast link already"
+                                   : "This server's fast link has version " + ours + " only")});
+      return;
+    }
+    Reply(request.id, {Outcome::kSuccess, Json(wire::kFastLinkVersion)});
+    fast_ = std::make_shared<FastLinkSession>(
+        shared_.simulation, shared_.directory,
+        [weak = weak_from_this()](std::uint16_t service, const Json& reason) {
+          const auto self = weak.lock();
+          if (!self || self->shared_.closed) return;
+          self->Refuse(service, reason);
+        });
+  }
+
+  void Refuse(std::uint16_t service, const Json& reason) {
+    {
+      wire::FrameWriter frame(outbox_.text(), wire::FrameType::kRefused);
+      frame.Short(service);
+      if (!reason.IsFalsy()) frame.Bytes(reason.Dump());
+    }
+    if (!serving_) Flush();
+  }
+
+  void HoldRead(std::string_view id, bool fast) {
+    read_waits_ = true;
+    read_id_ = id;
+    read_is_fast_ = fast;
+    read_since_ = Clock::now();
+    if (!joined_) {
+      joined_ = true;
+      ++shared_.readers_ever;
+      // The first read gets what the sensors show now, or will show first.
+      next_read_ = shared_.sensed_once ? shared_.ReadAt(shared_.sensed_tick) : 0;
+    } else if (shared_.pace.name != "lockstep") {
+      // A client that was slow gets the newest data, not the ones that it missed.
+      next_read_ = std::max(next_read_, shared_.ReadAt(shared_.sensed_tick));
+    }
+    if (DataAreDue()) AnswerRead();
+  }
+
   bool DataAreDue() const {
     return !shared_.ended.empty() || (shared_.sensed_once && read_tick() <= shared_.sensed_tick);
   }
 
-  // Answers the outstanding read if its time has come.
-  bool AnswerRead() {
-    if (!DataAreDue()) return false;
-    const std::string id = *std::exchange(read_id_, std::nullopt);
+  // Answers the outstanding read. Precondition: its time has come.
+  void AnswerRead() {
+    read_waits_ = false;
     if (!shared_.ended.empty()) {
-      Reply(id, {Outcome::kFailed, Json(shared_.ended)});
-      return true;
+      if (!read_is_fast_) return Reply(read_id_, {Outcome::kFailed, Json(shared_.ended)});
+      wire::FrameWriter frame(outbox_.text(), wire::FrameType::kReadFailed);
+      frame.Bytes(Json(shared_.ended).Dump());
+      return;
     }
     ++next_read_;
     const double seconds =
         static_cast<double>(shared_.sensed_tick) / shared_.simulation.scenario().time.frequency;
-    Reply(id, {Outcome::kSuccess, Json(Json::Object{{"time", seconds}})});
-    return true;
+    if (!read_is_fast_) {
+      return Reply(read_id_, {Outcome::kSuccess, Json(Json::Object{{"time", seconds}})});
+    }
+    fast_->AppendData(outbox_.text(), seconds);
+    for (const auto& subscription : fast_->subscriptions()) {
+      shared_.CountUse(*subscription.sensor);
+    }
   }
 
   void ServePeek(const wire::MorseRequest& request) {
@@ -487,7 +522,7 @@ class MorseServer::ServiceConnection
     peek_id_ = std::string(request.id);
     if (DataAreDue()) return AnswerPeek(true);
     if (timeout <= 0.0) return AnswerPeek(false);
-    peek_timer_.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+    peek_timer_.expires_after(std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(std::min(timeout, 3600.0))));
     peek_timer_.async_wait([self = shared_from_this()](ErrorCode error) {
       if (error || self->shared_.closed || !self->peek_id_) return;
@@ -503,6 +538,8 @@ class MorseServer::ServiceConnection
   }
 
   void Reply(std::string_view id, const sim::ServiceResult& result) {
+    std::optional<wire::FrameWriter> frame;
+    if (fast_ != nullptr) frame.emplace(outbox_.text(), wire::FrameType::kLines);
     if (result.text.empty()) {
       wire::AppendMorseReply(outbox_.text(), id, StatusWord(result.outcome), result.value);
     } else {
@@ -518,24 +555,31 @@ class MorseServer::ServiceConnection
     });
   }
 
-  void Leave() {
-    if (left_) return;
-    left_ = true;
-    Close();
-    shared_.connections.erase(shared_from_this());
-  }
+  // A line, or a frame, that was set aside while a read waits.
+  struct Held {
+    wire::FrameType type;
+    std::string bytes;
+  };
 
   Shared& shared_;
   tcp::socket socket_;
   asio::steady_timer peek_timer_;
   Outbox outbox_;
+  std::string address_;
+  std::string name_;
   wire::LineSplitter lines_;
+  wire::FrameSplitter frames_;
+  std::shared_ptr<FastLinkSession> fast_;  // nullptr: lines
   std::vector<char> block_;
   std::string line_;
-  std::deque<std::string> queue_;  // lines set aside while a read waits
+  std::deque<Held> queue_;
   std::size_t queued_bytes_ = 0;
   std::multimap<std::string, std::string> pending_;  // id -> component, of running services
-  std::optional<std::string> read_id_;
+  bool read_waits_ = false;
+  bool read_is_fast_ = false;  // it came as a frame
+  std::string read_id_;        // it came as a line
+  Clock::time_point read_since_{};
+  Clock::time_point heard_ = Clock::now();
   std::optional<std::string> peek_id_;
   std::uint64_t next_read_ = 0;
   bool joined_ = false;
@@ -544,6 +588,12 @@ class MorseServer::ServiceConnection
   bool turn_posted_ = false;
   bool left_ = false;
 };
+
+void MorseServer::Shared::TellConnections() {
+  told.assign(connections.begin(), connections.end());
+  for (const auto& connection : told) connection->Sensed();
+  told.clear();
+}
 
 // The stream of one component: a sensor's lines go to every client, an actuator takes every
 // client's newest line.
@@ -736,8 +786,7 @@ void MorseServer::Sensed() {
       stream->Publish();
     }
   }
-  const std::vector connections(shared_->connections.begin(), shared_->connections.end());
-  for (const auto& connection : connections) connection->Sensed();
+  shared_->TellConnections();
 }
 
 void MorseServer::set_input_tap(ServiceDirectory::InputTap tap) {
@@ -763,8 +812,35 @@ bool MorseServer::HasReaders() const {
 
 void MorseServer::EndReads(const std::string& reason) {
   shared_->ended = reason;
-  const std::vector connections(shared_->connections.begin(), shared_->connections.end());
-  for (const auto& connection : connections) connection->Sensed();
+  shared_->TellConnections();
+}
+
+std::optional<Clock::time_point> MorseServer::LetHangingGo(Clock::duration limit) {
+  // Nobody waits for a client that is alone.
+  auto waiting_since = Clock::time_point::max();
+  for (const auto& connection : shared_->connections) {
+    if (!connection->read_outstanding()) continue;
+    waiting_since = std::min(waiting_since, connection->read_since());
+  }
+  if (waiting_since == Clock::time_point::max()) return std::nullopt;
+  const auto now = Clock::now();
+  std::optional<Clock::time_point> next;
+  std::vector<std::shared_ptr<ServiceConnection>> hanging;
+  for (const auto& connection : shared_->connections) {
+    if (!connection->reads() || connection->read_outstanding()) continue;
+    const auto due = std::max(waiting_since, connection->heard()) + limit;
+    if (due <= now) {
+      hanging.push_back(connection);
+    } else {
+      next = next ? std::min(*next, due) : due;
+    }
+  }
+  for (const auto& connection : hanging) {
+    LogWarning("client {} has sent nothing for {:g} s while others wait: it is let go",
+               connection->name(), std::chrono::duration<double>(limit).count());
+    connection->Leave();
+  }
+  return next;
 }
 
 std::uint64_t MorseServer::SamplesUsed(const std::string& full_name) const {

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <boost/asio/io_context.hpp>
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "servers/morse/service_directory.h"
@@ -26,7 +29,8 @@ struct MorseServerOptions {
 };
 
 /// MORSE's socket middleware for one simulation (specs: morse.md A): services on one port, a stream
-/// port for each component that has one, and the services of docs/protocols/ccmorse-services.md. It
+/// port for each component that has one, the services of docs/protocols/ccmorse-services.md, and
+/// the fast link for clients that ask for it (docs/protocols/fast-link.md). It
 /// does its work in handlers of the io_context, on the thread that runs it, which must be the
 /// thread that advances the simulation; each handler is short.
 class MorseServer {
@@ -64,6 +68,11 @@ class MorseServer {
   bool ClientsAreWaiting(int clients) const;
   /// Has any client ever sent a `read` and not yet left?
   bool HasReaders() const;
+  /// Lock-step: closes, with a log line, connections of clients that hang: that read, have sent
+  /// nothing for `limit`, and keep another one waiting for as long. When to look again; nothing
+  /// while nobody waits for anybody.
+  std::optional<std::chrono::steady_clock::time_point> LetHangingGo(
+      std::chrono::steady_clock::duration limit);
   /// Answers every `read`, now and from now on, with FAILED `reason`.
   void EndReads(const std::string& reason);
 

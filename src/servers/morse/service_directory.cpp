@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/base64.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "base/polygon.h"
@@ -53,6 +54,19 @@ std::string ArityComplaint(const Service& service, std::size_t given) {
          (given == 0 ? " was" : " were") + " given";
 }
 
+void Fail(const sim::Completion& done, std::string text) {
+  done({Outcome::kFailed, Json(std::move(text))});
+}
+
+std::string ListText(Arguments arguments) {
+  std::string text = "[";
+  for (const Json& argument : arguments) {
+    if (text.size() > 1) text += ", ";
+    text += argument.Dump();
+  }
+  return text + ']';
+}
+
 constexpr double kFarthest = 1000.0;  // m, as in a scenario; more is a mistake in the unit
 
 Vec3 PointArgument(Arguments arguments, std::size_t index, const char* name) {
@@ -98,30 +112,31 @@ void ServiceDirectory::AddQuery(const std::string& component, Service service) {
   Add(component, std::move(service));
 }
 
-const Service* ServiceDirectory::Find(std::string_view component, std::string_view service) const {
+ServiceDirectory::Target ServiceDirectory::Find(std::string_view component,
+                                                std::string_view service) const {
   const auto table = services_.find(component);
-  if (table == services_.end()) return nullptr;
+  if (table == services_.end()) return {};
   const auto entry = table->second.find(service);
-  return entry == table->second.end() ? nullptr : &entry->second;
+  if (entry == table->second.end()) return {};
+  return {&table->first, &entry->second};
+}
+
+std::string ServiceDirectory::NotRegistered(std::string_view service) {
+  return "The request " + std::string(service) +
+         " has not been registered in Socket service manager";
 }
 
 void ServiceDirectory::Call(std::string_view component, std::string_view service,
-                            std::string_view parameters, sim::Completion done) {
-  const std::string name(service);
-  const auto fail = [&done](std::string text) { done({Outcome::kFailed, Json(std::move(text))}); };
-
-  const Service* const found = Find(component, service);
-  if (found == nullptr) {
-    return fail("The request " + name + " has not been registered in Socket service manager");
-  }
-
-  Json given(Json::Array{});
+                            std::string_view parameters, const sim::Completion& done) {
+  const Target target = Find(component, service);
+  if (target.service == nullptr) return Fail(done, NotRegistered(service));
+  Json::Array arguments;
   if (!parameters.empty()) {
     std::string reason;
     try {
       Json parsed = Json::Parse(parameters);
       if (parsed.IsArray()) {
-        given = std::move(parsed);
+        arguments = std::move(parsed.AsArray());
       } else {
         reason = std::string("Expecting a list, not ") + parsed.TypeName();
       }
@@ -130,37 +145,60 @@ void ServiceDirectory::Call(std::string_view component, std::string_view service
     }
     if (!reason.empty()) {
       constexpr std::size_t kShown = 1000;
-      return fail("Invalid request syntax: error while parsing the parameters: " +
-                  std::string(parameters.substr(0, kShown)) + ". " + reason);
+      return Fail(done, "Invalid request syntax: error while parsing the parameters: " +
+                            std::string(parameters.substr(0, kShown)) + ". " + reason);
     }
   }
-  const Json::Array& arguments = given.AsArray();
-  const std::string complaint = ArityComplaint(*found, arguments.size());
+  Run(target, arguments, done);
+}
+
+void ServiceDirectory::Run(const Target& target, Arguments arguments, const sim::Completion& done) {
+  const Service& service = *target.service;
+  const std::string complaint = ArityComplaint(service, arguments.size());
   if (!complaint.empty()) {
-    return fail(arguments.empty() ? "Socket service manager: parameters expected for service " +
-                                        name + "! " + complaint
-                                  : "Socket service manager: wrong # of parameters for service " +
-                                        name + ". " + complaint);
+    return Fail(done, arguments.empty()
+                          ? "Socket service manager: parameters expected for service " +
+                                service.name + "! " + complaint
+                          : "Socket service manager: wrong # of parameters for service " +
+                                service.name + ". " + complaint);
   }
-  if (input_tap_ && found->changes_simulation) {
-    input_tap_({Input::Kind::kService, component, service, given.Dump()});
+  if (input_tap_ && service.changes_simulation) {
+    input_tap_({Input::Kind::kService, *target.component, service.name, ListText(arguments)});
   }
   try {
-    if (found->text) {
-      done({Outcome::kSuccess, Json(), found->text()});
-    } else if (found->run) {
-      Json value = found->run(arguments);
+    if (service.text) {
+      done({Outcome::kSuccess, Json(), service.text()});
+    } else if (service.run) {
+      Json value = service.run(arguments);
       done({Outcome::kSuccess, std::move(value)});
     } else {
-      found->start(arguments, done);
+      service.start(arguments, done);
     }
   } catch (const ServiceFailed& error) {
-    fail(error.what());
+    Fail(done, error.what());
   } catch (const WrongArgument& error) {
     // MORSE cannot tell the two apart in an asynchronous service, and its clients know it so.
-    fail(std::string("Socket service manager: wrong ") +
-         (found->start ? "# of parameters" : "parameter type") + " for service " + name + ". " +
-         error.what());
+    Fail(done, std::string("Socket service manager: wrong ") +
+                   (service.start ? "# of parameters" : "parameter type") + " for service " +
+                   service.name + ". " + error.what());
+  }
+}
+
+void ServiceDirectory::RunBytes(const Target& target, std::string_view bytes,
+                                const sim::Completion& done) {
+  const Service& service = *target.service;
+  try {
+    if (!service.bytes) throw WrongArgument("it takes no bytes");
+    if (input_tap_ && service.changes_simulation) {
+      input_tap_({Input::Kind::kBytes, *target.component, service.name, ToBase64(bytes)});
+    }
+    service.bytes(bytes);
+    done({Outcome::kSuccess, Json()});
+  } catch (const ServiceFailed& error) {
+    Fail(done, error.what());
+  } catch (const WrongArgument& error) {
+    Fail(done, "Socket service manager: wrong parameter type for service " + service.name + ". " +
+                   error.what());
   }
 }
 
@@ -181,9 +219,15 @@ void ServiceDirectory::Interrupt(std::string_view component) {
 void ServiceDirectory::Apply(const Input& input) {
   switch (input.kind) {
     case Input::Kind::kService: {
-      const Service* const service = Find(input.component, input.service);
+      const Service* const service = Find(input.component, input.service).service;
       if (service == nullptr || !service->changes_simulation) break;
       Call(input.component, input.service, input.arguments, [](const sim::ServiceResult&) {});
+      return;
+    }
+    case Input::Kind::kBytes: {
+      const Target target = Find(input.component, input.service);
+      if (target.service == nullptr || !target.service->bytes) break;
+      RunBytes(target, FromBase64(input.arguments), [](const sim::ServiceResult&) {});
       return;
     }
     case Input::Kind::kStream: {

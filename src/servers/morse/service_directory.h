@@ -30,13 +30,15 @@ struct RunControl {
 struct Input {
   enum class Kind {
     kService,    ///< a call of a service
+    kBytes,      ///< a call of a service with arguments in bytes, over the fast link
     kStream,     ///< a message of an actuator's stream
     kInterrupt,  ///< the end of a component's asynchronous service (`cancel`)
   };
   Kind kind = Kind::kService;
   std::string_view component;  ///< "s1r.motion", or "simulation"
   std::string_view service;    ///< of a call
-  std::string arguments;       ///< JSON: the list of a call's arguments, or the stream's message
+  std::string arguments;  ///< JSON: the list of a call's arguments, or the stream's message; the
+                          ///< bytes as base64
 };
 
 /// Every service that can be called over MORSE's socket protocol, by component and name, with
@@ -46,11 +48,25 @@ class ServiceDirectory {
  public:
   ServiceDirectory(sim::Simulation& simulation, RunControl control);
 
+  /// A service that was looked up once, to be called often. Valid as long as the directory.
+  struct Target {
+    const std::string* component = nullptr;  ///< full name
+    const sim::Service* service = nullptr;   ///< nullptr: there is none of that name
+  };
+  Target Find(std::string_view component, std::string_view service) const;
+  /// What a call of a service that is not there is answered with.
+  static std::string NotRegistered(std::string_view service);
+
   /// Runs a service; `done` is called once, now or when an asynchronous service ends. `parameters`
   /// is the raw text behind the service's name. Never throws on bad input: that is a kFailed
   /// result.
   void Call(std::string_view component, std::string_view service, std::string_view parameters,
-            sim::Completion done);
+            const sim::Completion& done);
+  /// The same with arguments that were parsed already: every call comes through here, or through
+  /// RunBytes(). Precondition: there is such a service.
+  void Run(const Target& target, sim::Arguments arguments, const sim::Completion& done);
+  /// The same for a service that takes bytes (sim::Service::bytes); kFailed when it does not.
+  void RunBytes(const Target& target, std::string_view bytes, const sim::Completion& done);
 
   /// Gives an actuator a message of its stream. Throws WrongArgument when it is not what the
   /// actuator needs.
@@ -60,7 +76,7 @@ class ServiceDirectory {
   /// there is no such component.
   void Interrupt(std::string_view component);
 
-  /// Is told of every input in the order in which they are applied, just before each. The three
+  /// Is told of every input in the order in which they are applied, just before each. The
   /// functions above are the only door for what comes from outside.
   using InputTap = std::function<void(const Input&)>;
   void set_input_tap(InputTap tap) { input_tap_ = std::move(tap); }
@@ -86,7 +102,6 @@ class ServiceDirectory {
   void Add(const std::string& component, sim::Service service);
   /// The same for one that changes nothing simulated.
   void AddQuery(const std::string& component, sim::Service service);
-  const sim::Service* Find(std::string_view component, std::string_view service) const;
   Json Details() const;
   Json SceneObjects() const;
   void PlaceObject(sim::Arguments arguments);

@@ -164,6 +164,8 @@ const char* KindWord(Input::Kind kind) {
   switch (kind) {
     case Input::Kind::kService:
       return "service";
+    case Input::Kind::kBytes:
+      return "bytes";
     case Input::Kind::kStream:
       return "stream";
     case Input::Kind::kInterrupt:
@@ -321,7 +323,7 @@ void Recorder::Incoming(const Input& input) {
     AppendJson(text_, std::string_view(KindWord(input.kind)));
     text_ += ", \"component\": ";
     AppendJson(text_, input.component);
-    if (input.kind == Input::Kind::kService) {
+    if (input.kind == Input::Kind::kService || input.kind == Input::Kind::kBytes) {
       text_ += ", \"service\": ";
       AppendJson(text_, input.service);
     }

@@ -186,8 +186,8 @@ void Replay::ApplyInputs() {
       const std::string& kind = Text(message_, "kind");
       Input input;
       input.component = Text(message_, "component");
-      if (kind == "service") {
-        input.kind = Input::Kind::kService;
+      if (kind == "service" || kind == "bytes") {
+        input.kind = kind == "bytes" ? Input::Kind::kBytes : Input::Kind::kService;
         input.service = Text(message_, "service");
         input.arguments = Text(message_, "arguments");
       } else if (kind == "stream") {

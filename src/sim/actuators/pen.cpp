@@ -1,5 +1,7 @@
 #include "sim/actuators/pen.h"
 
+#include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -36,6 +38,22 @@ struct Vec2i {
 };
 
 Json ToJson(Color color) { return Json(Json::Array{int{color.r}, int{color.g}, int{color.b}}); }
+
+// Bytes that are cells: 3 bytes each, red, green, blue.
+std::span<const Color> Colors(std::string_view cells) {
+  static_assert(sizeof(Color) == 3 && std::is_trivially_copyable_v<Color>);
+  return {reinterpret_cast<const Color*>(cells.data()), cells.size() / sizeof(Color)};
+}
+
+constexpr std::size_t kRectangleHead = 12;
+
+std::uint32_t Number(std::string_view bytes, std::size_t at, unsigned size) {
+  std::uint32_t value = 0;
+  for (unsigned i = size; i-- > 0;) {
+    value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
+  }
+  return value;
+}
 
 const Json::Array& ListOf(const Json& value, const char* what, std::size_t length) {
   if (!value.IsArray() || value.AsArray().size() != length) {
@@ -79,27 +97,25 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
               WriteImageData();
               return image_data_;
             }});
-  AddService({"set_image_data", {{"pixels"}}, [this](Arguments arguments) {
+  AddService({"set_image_data",
+              {{"pixels"}},
+              [this](Arguments arguments) {
                 const Json::Array& pixels = ListArgument(arguments, "pixels");
-                const auto cells = static_cast<std::size_t>(canvas_.width()) *
-                                   static_cast<std::size_t>(canvas_.height());
-                if (pixels.size() != cells) {
-                  throw WrongArgument("the canvas has " + std::to_string(cells) + " cells, but " +
-                                      std::to_string(pixels.size()) + " pixels came");
-                }
+                RequireAllCells(pixels.size());
                 std::vector<Color> colors;
                 for (const Json& pixel : pixels) {
                   colors.push_back(ColorArgument(ListOf(pixel, "[r, g, b]", 3), 0));
                 }
-                const auto width = static_cast<std::size_t>(canvas_.width());
-                for (std::size_t i = 0; i < colors.size(); ++i) {
-                  canvas_.SetPixel(static_cast<int>(i % width), static_cast<int>(i / width),
-                                   colors[i]);
-                }
+                canvas_.SetRectangle(0, 0, canvas_.width(), canvas_.height(), colors);
                 return Json();
-              }});
+              },
+              {},
+              {},
+              [this](std::string_view cells) { SetImage(cells); }});
   AddService(
-      {"update_image_data", {{"pixels"}}, [this](Arguments arguments) {
+      {"update_image_data",
+       {{"pixels"}},
+       [this](Arguments arguments) {
          // All or nothing: a wrong pixel changes no cell.
          std::vector<std::pair<Vec2i, Color>> changes;
          for (const Json& pixel : ListArgument(arguments, "pixels")) {
@@ -108,7 +124,10 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
          }
          for (const auto& [at, color] : changes) canvas_.SetPixel(at.x, at.y, color);
          return Json();
-       }});
+       },
+       {},
+       {},
+       [this](std::string_view rectangles) { UpdateImage(rectangles); }});
   AddService({"resize_canvas", {{"width"}, {"height"}}, [this](Arguments arguments) {
                 canvas_.Resize(IntegerArgument(arguments, 0, "width", 1, kMostCells),
                                IntegerArgument(arguments, 1, "height", 1, kMostCells));
@@ -125,6 +144,43 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
                 throw ServiceFailed(error.what());
               }
             }});
+}
+
+void Pen::RequireAllCells(std::size_t pixels) const {
+  const auto cells =
+      static_cast<std::size_t>(canvas_.width()) * static_cast<std::size_t>(canvas_.height());
+  if (pixels != cells) {
+    throw WrongArgument("the canvas has " + std::to_string(cells) + " cells, but " +
+                        std::to_string(pixels) + " pixels came");
+  }
+}
+
+void Pen::SetImage(std::string_view cells) {
+  if (cells.size() % sizeof(Color) != 0) throw WrongArgument("a cell has three bytes");
+  RequireAllCells(cells.size() / sizeof(Color));
+  canvas_.SetRectangle(0, 0, canvas_.width(), canvas_.height(), Colors(cells));
+}
+
+void Pen::UpdateImage(std::string_view rectangles) {
+  // All or nothing, as with pixels.
+  for (const bool draw : {false, true}) {
+    std::string_view rest = rectangles;
+    while (!rest.empty()) {
+      if (rest.size() < kRectangleHead) throw WrongArgument("a rectangle is cut short");
+      const int x = static_cast<int>(Number(rest, 0, 4));
+      const int y = static_cast<int>(Number(rest, 4, 4));
+      const std::uint32_t width = Number(rest, 8, 2);
+      const std::uint32_t height = Number(rest, 10, 2);
+      rest.remove_prefix(kRectangleHead);
+      const std::size_t size = std::size_t{width} * height * sizeof(Color);
+      if (size > rest.size()) throw WrongArgument("a rectangle is cut short");
+      if (draw) {
+        canvas_.SetRectangle(x, y, static_cast<int>(width), static_cast<int>(height),
+                             Colors(rest.substr(0, size)));
+      }
+      rest.remove_prefix(size);
+    }
+  }
 }
 
 void Pen::WriteImageData() {

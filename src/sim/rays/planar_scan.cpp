@@ -334,7 +334,7 @@ struct PlanarScanner::Kernel {
 
   // `since`: m, that the sensor has moved since the gaps were measured.
   CCMORSE_INLINE void Outlines(const Nearby& near, double since) const {
-    work->Reserve(near.xs.size());
+    work->Reserve(near.xs.capacity());
     std::size_t outline = 0;
     std::size_t begin = 0;
     while (outline < near.counts.size()) {
@@ -457,6 +457,8 @@ void PlanarScanner::FindNear(Vec2 at, const PlanarWorld& world, Work& work) {
   near_revision_ = world.revision();
   near_at_ = at;
   work.found.clear();
+  work.found.reserve(world.outlines().size());
+  work.by_gap.reserve(world.outlines().size());
   world.Near(at, range_ + kRemembered, work.found);
   work.by_gap.clear();
   for (const std::uint32_t index : work.found) {

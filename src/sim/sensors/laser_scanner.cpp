@@ -64,6 +64,10 @@ Json LaserScanner::Configurations() const {
                            {"frequency", def_.frequency}});
 }
 
+void LaserScanner::AppendNumbers(std::vector<double>& out) const {
+  out.insert(out.end(), ranges_.begin(), ranges_.end());
+}
+
 void LaserScanner::AppendFields(std::string& out) const {
   out += ", \"point_list\": [";
   for (std::size_t i = 0; i < ranges_.size(); ++i) {

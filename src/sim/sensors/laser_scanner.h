@@ -23,6 +23,8 @@ class LaserScanner : public Sensor {
   void Sample(const Instant& now) override;
   void AddToHash(StateHash& hash) const override;
   void Reset() override;
+  NumberForm number_form() const override { return NumberForm::kScan; }
+  void AppendNumbers(std::vector<double>& out) const override;
   Json Configurations() const override;
   Vec3 mount() const override { return def_.position; }
 

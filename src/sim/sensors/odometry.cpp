@@ -34,6 +34,11 @@ void OdometrySensor::AddToHash(StateHash& hash) const {
   hash.Add(twist_.w);
 }
 
+void OdometrySensor::AppendNumbers(std::vector<double>& out) const {
+  out.insert(out.end(), {moved_.x, moved_.y, 0.0, 0.0, 0.0, moved_.yaw});
+  out.insert(out.end(), {twist_.v, 0.0, 0.0, 0.0, 0.0, twist_.w, stalled_ ? 1.0 : 0.0});
+}
+
 void OdometrySensor::AppendFields(std::string& out) const {
   AppendField(out, "x", moved_.x);
   AppendField(out, "y", moved_.y);

@@ -17,6 +17,8 @@ class OdometrySensor : public Sensor {
   void Sample(const Instant& now) override;
   void AddToHash(StateHash& hash) const override;
   void Reset() override;
+  NumberForm number_form() const override { return NumberForm::kOdometry; }
+  void AppendNumbers(std::vector<double>& out) const override;
 
  private:
   void AppendFields(std::string& out) const override;

@@ -45,6 +45,10 @@ void PoseSensor::AddToHash(StateHash& hash) const {
   hash.Add(pose_.yaw);
 }
 
+void PoseSensor::AppendNumbers(std::vector<double>& out) const {
+  out.insert(out.end(), {pose_.x, pose_.y, z_, 0.0, 0.0, pose_.yaw});
+}
+
 void PoseSensor::AppendFields(std::string& out) const {
   AppendField(out, "x", pose_.x);
   AppendField(out, "y", pose_.y);

@@ -14,6 +14,8 @@ class PoseSensor : public Sensor {
   void Sample(const Instant& now) override;
   void AddToHash(StateHash& hash) const override;
   void Reset() override;
+  NumberForm number_form() const override { return NumberForm::kPose; }
+  void AppendNumbers(std::vector<double>& out) const override;
 
  private:
   void AppendFields(std::string& out) const override;

@@ -1,0 +1,253 @@
+// `ccmorse bench link`: what the fast link and JSON cost, measured over TCP between two processes,
+// the simulator as users start it and this program, which is a program of libCCMorse like any
+// other. It is a program of its own, which `ccmorse` executes, so that the simulator never needs
+// the client library.
+
+#include <fmt/core.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/json.h"
+#include "libCCMorse/CCMorse.h"
+
+namespace {
+
+using namespace CCMorse;  // NOLINT(google-build-using-namespace): as users write it
+using Clock = std::chrono::steady_clock;
+
+constexpr int kWidth = 172;  // the course's canvas
+constexpr int kHeight = 186;
+constexpr int kWarmUp = 200;  // reads before those that count
+
+double Since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double Quantile(std::vector<double> values, double share) {
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+/// A scenario with data 60 times a second, in a file that goes with the object.
+class FrequentScenario {
+ public:
+  FrequentScenario() {
+    const int file = ::mkstemps(path_.data(), 5);
+    if (file < 0) throw std::runtime_error("cannot make a temporary file");
+    ::close(file);
+    std::ofstream(path_) << R"({"time": {"read_frequency": 60}})";
+  }
+  ~FrequentScenario() { std::remove(path_.c_str()); }
+  FrequentScenario(const FrequentScenario&) = delete;
+  FrequentScenario& operator=(const FrequentScenario&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_ = (std::filesystem::temp_directory_path() / "ccmorse_XXXXXX.json").string();
+};
+
+/// `ccmorse run` as a child process on free ports; ended with the object.
+class Simulator {
+ public:
+  Simulator(const std::string& ccmorse, const std::string& scenario, const std::string& pace) {
+    int ends[2];
+    if (::pipe(ends) != 0) throw std::runtime_error("cannot make a pipe");
+    child_ = ::fork();
+    if (child_ < 0) throw std::runtime_error("cannot start the simulator");
+    if (child_ == 0) {
+      ::dup2(ends[1], STDOUT_FILENO);
+      ::close(ends[0]);
+      ::close(ends[1]);
+      ::execl(ccmorse.c_str(), "ccmorse", "run", scenario.c_str(), "--pace", pace.c_str(), "--port",
+              "0", "--stream-port", "0", nullptr);
+      ::_exit(127);
+    }
+    ::close(ends[1]);
+    // Kept open to the end: a simulator without a reader would end when it prints.
+    output_ = ::fdopen(ends[0], "r");
+    char line[256];
+    while (output_ != nullptr && std::fgets(line, sizeof line, output_) != nullptr) {
+      const std::string text(line);
+      const std::string key = "MORSE services on 127.0.0.1 port ";
+      if (text.rfind(key, 0) == 0) port_ = std::atoi(text.c_str() + key.size());
+      if (text.rfind("SCENE INITIALIZED", 0) == 0) break;
+    }
+    if (port_ == 0) throw std::runtime_error(ccmorse + " does not start");
+  }
+
+  ~Simulator() {
+    ::kill(child_, SIGKILL);
+    ::waitpid(child_, nullptr, 0);
+    if (output_ != nullptr) std::fclose(output_);
+  }
+  Simulator(const Simulator&) = delete;
+  Simulator& operator=(const Simulator&) = delete;
+
+  int port() const { return port_; }
+
+ private:
+  pid_t child_ = -1;
+  std::FILE* output_ = nullptr;
+  int port_ = 0;
+};
+
+/// A client with the proxies of one robot, over the link asked for.
+struct Rig {
+  Rig(const std::string& ccmorse, const std::string& scenario, const std::string& pace, bool json)
+      : simulator(ccmorse, scenario, pace) {
+    if (json) {
+      ::setenv("CCMORSE_LINK", "json", 1);
+    } else {
+      ::unsetenv("CCMORSE_LINK");
+    }
+    client = std::make_unique<PlayerClient>("127.0.0.1", simulator.port());
+    position = std::make_unique<Position2dProxy>(client.get(), 0);
+    laser = std::make_unique<LaserProxy>(client.get(), 0);
+    position->SetMotorEnable(true);
+    MorseClient& morse = MorseClient::GetInstance();
+    if (morse.GetLink() != (json ? "json" : "fast")) {
+      throw std::runtime_error("the link is " + morse.GetLink());
+    }
+    pen = morse.GetRobots().front()->FindDevice<MorsePen>();
+    pen->ResizeCanvas(kWidth, kHeight);
+  }
+
+  Simulator simulator;
+  std::unique_ptr<PlayerClient> client;
+  std::unique_ptr<Position2dProxy> position;
+  std::unique_ptr<LaserProxy> laser;
+  MorsePen* pen = nullptr;
+};
+
+// Read() + SetSpeed() with a look at laser and position: simulated seconds a wall second.
+double Lockstep(Rig& rig, double seconds) {
+  double nearest = 0.0;
+  const auto round = [&](int i) {
+    rig.client->Read();
+    nearest = std::min((*rig.laser)[340], rig.position->GetXPos());
+    rig.position->SetSpeed(0.1, i % 20 < 10 ? 0.5 : -0.5 + 1e-3 * nearest);
+  };
+  for (int i = 0; i < kWarmUp; ++i) round(i);
+  const double from = rig.laser->GetDataTime();
+  const auto start = Clock::now();
+  for (int i = 0; Since(start) < seconds; ++i) round(i);
+  return (rig.laser->GetDataTime() - from) / Since(start);
+}
+
+// How long a Read() takes whose data are there already: the request wakes an idle simulator, which
+// answers with a scan and a pose. Seconds, one for each Read().
+std::vector<double> RoundTrips(Rig& rig, double seconds) {
+  std::vector<double> times;
+  const double period = MorseClient::GetInstance().GetReadPeriod();
+  rig.client->Read();
+  const auto start = Clock::now();
+  while (times.size() < 10 || Since(start) < seconds) {
+    // A read that comes a little later than the data were due is answered at once.
+    std::this_thread::sleep_for(std::chrono::duration<double>(1.2 * period));
+    const auto asked = Clock::now();
+    rig.client->Read();
+    times.push_back(Since(asked));
+  }
+  return times;
+}
+
+// Every cell gets a new colour, none like its neighbours: nothing to compress. Seconds, one for
+// each update, from the call to the answer to a request behind it.
+std::vector<double> CanvasUpdates(Rig& rig, double seconds) {
+  std::vector<double> times;
+  std::vector<Color_t> image(static_cast<std::size_t>(kWidth) * kHeight);
+  std::uint32_t state = 1;
+  const auto start = Clock::now();
+  while (times.size() < 5 || Since(start) < seconds) {
+    for (Color_t& color : image) {
+      state = state * 1664525U + 1013904223U;
+      color = {static_cast<unsigned char>(state >> 24U), static_cast<unsigned char>(state >> 16U),
+               static_cast<unsigned char>(state >> 8U)};
+    }
+    const auto asked = Clock::now();
+    rig.pen->SetImageData(image);
+    const Color_t corner = rig.pen->GetPixel(kWidth - 1, kHeight - 1);
+    times.push_back(Since(asked));
+    if (!(corner == image.back())) throw std::runtime_error("the canvas is not what was sent");
+  }
+  return times;
+}
+
+int Run(const std::string& ccmorse, double seconds, bool as_json) {
+  double lockstep[2];
+  double canvas[2];
+  for (const bool json : {false, true}) {
+    Rig rig(ccmorse, "syrotek", "lockstep", json);
+    lockstep[json ? 1 : 0] = Lockstep(rig, seconds);
+    canvas[json ? 1 : 0] = Quantile(CanvasUpdates(rig, seconds / 2), 0.5);
+  }
+  std::vector<double> trips[2];
+  const FrequentScenario scenario;
+  for (const bool json : {false, true}) {
+    Rig rig(ccmorse, scenario.path(), "real", json);
+    trips[json ? 1 : 0] = RoundTrips(rig, seconds * 2);
+  }
+  constexpr double kMicro = 1e6;
+  const double ratio = canvas[1] / canvas[0];
+  if (as_json) {
+    using ccmorse::Json;
+    fmt::print("{}\n", Json(Json::Object{{"lockstep_sim_s_per_wall_s", lockstep[0]},
+                                         {"lockstep_json_sim_s_per_wall_s", lockstep[1]},
+                                         {"read_p50_us", Quantile(trips[0], 0.5) * kMicro},
+                                         {"read_p99_us", Quantile(trips[0], 0.99) * kMicro},
+                                         {"read_json_p50_us", Quantile(trips[1], 0.5) * kMicro},
+                                         {"read_json_p99_us", Quantile(trips[1], 0.99) * kMicro},
+                                         {"canvas_update_us", canvas[0] * kMicro},
+                                         {"canvas_json_update_us", canvas[1] * kMicro},
+                                         {"canvas_ratio", ratio}})
+                           .Dump());
+    return 0;
+  }
+  fmt::print("{:<58} {:>10} {:>10}\n", "one robot, laser and position, one client over TCP", "fast",
+             "JSON");
+  fmt::print("{:<58} {:>10.0f} {:>10.0f}\n",
+             "lock-step Read() + SetSpeed(), simulated s per wall s", lockstep[0], lockstep[1]);
+  fmt::print("{:<58} {:>10.1f} {:>10.1f}\n", "Read() in real time, data there, p50, us",
+             Quantile(trips[0], 0.5) * kMicro, Quantile(trips[1], 0.5) * kMicro);
+  fmt::print("{:<58} {:>10.1f} {:>10.1f}\n",
+             fmt::format("  the same, p99 of {}, us", trips[0].size()),
+             Quantile(trips[0], 0.99) * kMicro, Quantile(trips[1], 0.99) * kMicro);
+  fmt::print("{:<58} {:>10.1f} {:>10.1f}\n",
+             fmt::format("all {} x {} cells of the canvas new, us", kWidth, kHeight),
+             canvas[0] * kMicro, canvas[1] * kMicro);
+  fmt::print("{:<58} {:>10.1f}\n", "  the fast link is so many times faster", ratio);
+  return 0;
+}
+
+}  // namespace
+
+// Arguments, as `ccmorse bench link` passes them on: path of ccmorse, seconds, "json" or "table".
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::fprintf(stderr, "usage: ccmorse bench link\n");
+    return 2;
+  }
+  try {
+    return Run(argv[1], std::atof(argv[2]), std::string(argv[3]) == "json");
+  } catch (const MorseError& error) {
+    std::fprintf(stderr, "ccmorse bench link: %s\n", error.GetErrorStr().c_str());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ccmorse bench link: %s\n", error.what());
+  }
+  return 1;
+}

@@ -1,0 +1,28 @@
+#include "tools/link_bench.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <string>
+
+#include "base/error.h"
+
+namespace ccmorse::tools {
+
+void BenchLink(const LinkArguments& arguments) {
+  std::error_code failed;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failed);
+  if (failed) throw Error("cannot find out where ccmorse lies: " + failed.message());
+  const std::string program = (self.parent_path() / "ccmorse-bench-link").string();
+  const std::string seconds = fmt::format("{}", arguments.seconds);
+  std::fflush(stdout);
+  ::execl(program.c_str(), "ccmorse-bench-link", self.c_str(), seconds.c_str(),
+          arguments.json ? "json" : "table", nullptr);
+  throw Error("cannot run " + program + ": " + std::strerror(errno));
+}
+
+}  // namespace ccmorse::tools
