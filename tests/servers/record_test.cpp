@@ -313,6 +313,25 @@ TEST(Record, AChangedScenarioIsFoundInTheFirstSensorThatSeesIt) {
   EXPECT_GT(moved.difference()->others, 0U);
 }
 
+TEST(Record, NoiseComesOutTheSameAndAnotherSeedIsFound) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() + "/run.mcap";
+  ServedSimulation served(R"({"seed": 7, "robots": [{"pose": {"x": 1.2, "y": 2.0},
+                              "laser": {"range_std": 0.01}, "pose_noise": {"pos_std": 0.01}}]})",
+                          Pace::kMax, 1.0);
+  served.Join();
+  std::filesystem::copy_file(served.record(), file);
+  const Replay other = ReplayToTheEnd(Tampered(file, "/start", 0, [](Json& start) {
+    Json scenario = *start.Find("scenario");
+    ASSERT_EQ(scenario.Find("seed")->AsInt(), 7);
+    scenario.Set("seed", 8);
+    start.Set("scenario", scenario);
+  }));
+  ASSERT_TRUE(other.difference());
+  EXPECT_EQ(other.difference()->first_tick, 0U);
+  EXPECT_EQ(other.difference()->component, "s1r.pose");
+}
+
 TEST(Record, AChangedHashIsFound) {
   const TemporaryFolder folder;
   const std::string file = RecordLockstep(folder.path(), 1.0, SomeCommands);
