@@ -71,6 +71,15 @@ void Runner::Stop() {
   boost::asio::post(io_, [] {});  // wakes a Run() that waits
 }
 
+void Runner::StopAfterClients() {
+  if (options_.pace != Pace::kLockstep) return Stop();
+  if (patience_) return;
+  patience_.emplace(io_, kFarewell);
+  patience_->async_wait([this](boost::system::error_code error) {
+    if (!error) Stop();
+  });
+}
+
 bool Runner::Over() const {
   // Half a tick of slack: 0.1 s are 6 ticks at 60 Hz, whatever 0.1 * 60 rounds to.
   const double half_tick = 0.5 / simulation_.scenario().time.frequency;
@@ -125,13 +134,24 @@ void Runner::WaitForTurn() {
       io_.restart();
       for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
       }
-      while (!stop_ && !morse_.ClientsAreWaiting(options_.clients)) io_.run_one();
+      while (!stop_ && !morse_.ClientsAreWaiting(options_.clients)) WaitForClients();
       return;
     case Pace::kMax:
       io_.restart();
       for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
       }
       return;
+  }
+}
+
+void Runner::WaitForClients() {
+  // After StopAfterClients() what is there comes first: a client that was not yet accepted may have
+  // left commands behind.
+  if (patience_ && io_.poll_one() > 0) return;
+  if (patience_ && !morse_.HasClients()) {
+    stop_ = true;
+  } else {
+    io_.run_one();
   }
 }
 

@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "client/core/address.h"
 #include "client/core/connection.h"
 #include "client/core/device_registry.h"
 #include "client/core/subscription.h"
@@ -152,7 +153,8 @@ MorseClient::MorseClient(const std::string& host, int port)
 
 MorseClient::~MorseClient() { Close(); }
 
-std::shared_ptr<MorseClient> MorseClient::Share(const std::string& host, int port) {
+std::shared_ptr<MorseClient> MorseClient::Share(const std::string& asked_host, int asked_port) {
+  const auto [host, port] = core::AddressFor(asked_host, asked_port);
   Directory& directory = TheDirectory();
   const std::lock_guard lock(directory.mutex);
   Directory::Entry& entry = directory.entries[{host, port}];
@@ -170,7 +172,8 @@ std::shared_ptr<MorseClient> MorseClient::Share(const std::string& host, int por
   return counted;
 }
 
-MorseClient& MorseClient::GetInstance(const std::string& host, int port) {
+MorseClient& MorseClient::GetInstance(const std::string& asked_host, int asked_port) {
+  const auto [host, port] = core::AddressFor(asked_host, asked_port);
   std::shared_ptr<MorseClient> client = Share(host, port);
   Directory& directory = TheDirectory();
   const std::lock_guard lock(directory.mutex);

@@ -760,6 +760,10 @@ bool MorseServer::HasReaders() const {
                      [](const auto& c) { return c->reads(); });
 }
 
+bool MorseServer::HasClients() const {
+  return !shared_->connections.empty() || shared_->stream_clients > 0;
+}
+
 void MorseServer::EndReads(const std::string& reason) {
   shared_->ended = reason;
   const std::vector connections(shared_->connections.begin(), shared_->connections.end());

@@ -61,6 +61,8 @@ class MorseServer {
   bool ClientsAreWaiting(int clients) const;
   /// Has any client ever sent a `read` and not yet left?
   bool HasReaders() const;
+  /// Is any client connected, to the services or to a stream?
+  bool HasClients() const;
   /// Answers every `read`, now and from now on, with FAILED `reason`.
   void EndReads(const std::string& reason);
 
