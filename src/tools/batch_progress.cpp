@@ -49,7 +49,7 @@ std::string BatchProgress::Line(Clock::time_point now, int width) const {
     text += fmt::format(", about {} left",
                         DurationText(elapsed / (done_ - before_) * (total_ - done_)));
   }
-  const int room = std::min(width - static_cast<int>(text.size()) - 4, kLongestBar);
+  const int room = std::min(width - static_cast<int>(text.size()) - 3, kLongestBar);
   if (room < kShortestBar) return text;
   const int full = static_cast<int>(static_cast<std::int64_t>(room) * done_ / std::max(total_, 1));
   std::string bar(static_cast<std::size_t>(full), '=');

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <set>
 
 #include "base/error.h"
 
@@ -63,6 +64,57 @@ std::vector<std::string> Environment(const std::vector<std::string>& changes) {
   return all;
 }
 
+// A process of its own that ends the groups of our children when we are killed, which no handler of
+// ours could do: it sees the pipe end that we alone write to. What a child itself has started would
+// else go on for ever.
+class Watchdog {
+ public:
+  static Watchdog& Ours() {
+    static Watchdog ours;
+    return ours;
+  }
+
+  // To be told before the group's leader is reaped, lest its number be somebody else's.
+  void Watch(pid_t group) { Tell(group); }
+  void Forget(pid_t group) { Tell(-group); }
+
+ private:
+  Watchdog() {
+    const pid_t pid = ::fork();
+    if (pid < 0) throw Error(fmt::format("cannot start a process: {}", std::strerror(errno)));
+    if (pid == 0) Guard();
+    pipe_.Close(0);
+  }
+
+  void Tell(pid_t group) {
+    // Shorter than PIPE_BUF, so it is written as a whole.
+    while (::write(pipe_.ends[1], &group, sizeof group) < 0 && errno == EINTR) {
+    }
+  }
+
+  [[noreturn]] void Guard() {
+    ::setsid();  // out of reach of the terminal's Ctrl-C
+    // Nothing of ours must stay open, least of all the pipe's other end and the locked results.
+    const int pipe = ::dup2(pipe_.ends[0], 3);
+    const int nothing = ::open("/dev/null", O_RDWR);
+    for (int standard = 0; standard < 3; ++standard) ::dup2(nothing, standard);
+    ::close_range(4, ~0U, 0);
+    std::set<pid_t> groups;
+    pid_t told = 0;
+    for (;;) {
+      const ssize_t size = ::read(pipe, &told, sizeof told);
+      if (size < 0 && errno == EINTR) continue;
+      if (size != sizeof told) break;
+      if (told > 0) groups.insert(told);
+      if (told < 0) groups.erase(-told);
+    }
+    for (const pid_t group : groups) ::kill(-group, SIGKILL);
+    ::_exit(0);
+  }
+
+  Pipe pipe_;
+};
+
 // In the child, between fork() and exec(): only calls that a signal's handler may make, too.
 [[noreturn]] void Become(pid_t parent, char* const* argv, char* const* environment,
                          const char* folder, int out, int err, int report) {
@@ -72,7 +124,7 @@ std::vector<std::string> Environment(const std::vector<std::string>& changes) {
     ::_exit(127);
   };
   ::setpgid(0, 0);
-  // So that a batch that was killed leaves nothing running; it may have been before this line.
+  // Until the watchdog knows of it. We may have been killed before this line.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);
   sigset_t none;
@@ -105,6 +157,7 @@ ChildProcess::ChildProcess(const Options& options) {
   Pipe out;
   Pipe err;
   Pipe report;  // ends with a successful exec(), else brings its errno
+  Watchdog& watchdog = Watchdog::Ours();
   const pid_t parent = ::getpid();
   pid_ = ::fork();
   if (pid_ < 0) throw Error(fmt::format("cannot start a process: {}", std::strerror(errno)));
@@ -113,6 +166,7 @@ ChildProcess::ChildProcess(const Options& options) {
            err.ends[1], report.ends[1]);
   }
   ::setpgid(pid_, pid_);  // here, too: whoever is first, it has its group before we signal it
+  watchdog.Watch(pid_);
   report.Close(1);
   int reason = 0;
   ssize_t told = 0;
@@ -120,6 +174,7 @@ ChildProcess::ChildProcess(const Options& options) {
     told = ::read(report.ends[0], &reason, sizeof reason);
   } while (told < 0 && errno == EINTR);
   if (told != 0) {
+    watchdog.Forget(pid_);
     ::waitpid(pid_, nullptr, 0);
     throw Error(fmt::format("cannot start {}: {}", options.command.front(), std::strerror(reason)));
   }
@@ -131,6 +186,7 @@ ChildProcess::ChildProcess(const Options& options) {
 ChildProcess::~ChildProcess() {
   if (!status_) {
     ::kill(-pid_, SIGKILL);
+    Watchdog::Ours().Forget(pid_);
     ::waitpid(pid_, nullptr, 0);
   }
   for (const int pipe : {out_, err_}) {
@@ -164,6 +220,7 @@ const std::optional<ExitStatus>& ChildProcess::Status() {
     return status_;
   }
   ::kill(-pid_, SIGKILL);
+  Watchdog::Ours().Forget(pid_);
   int raw = 0;
   ::waitpid(pid_, &raw, 0);
   status_ = WIFSIGNALED(raw) ? ExitStatus{0, WTERMSIG(raw)} : ExitStatus{WEXITSTATUS(raw), 0};

@@ -20,7 +20,7 @@ struct ExitStatus {
 
 /// A program that runs beside us in a process group of its own, with nothing on its stdin and pipes
 /// for what it prints. It is killed with its group when the object goes, when it ends itself (what
-/// it has left behind), and, the program alone, when we are killed. Not thread safe; no other
+/// it has left behind), and when we are killed. Not thread safe; no other
 /// thread may have been started before.
 class ChildProcess {
  public:
