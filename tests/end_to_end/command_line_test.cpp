@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
 
 #include "base/error.h"
@@ -99,6 +100,33 @@ TEST(CommandLine, CtrlCEndsARunWithItsReport) {
   EXPECT_EQ(simulator.process().Wait(), 0);
   EXPECT_NE(simulator.process().output().find("state hash"), std::string::npos);
   EXPECT_NE(simulator.process().output().find("EXITING SIMULATION"), std::string::npos);
+}
+
+// So that a run whose program has left gives the same hash whoever was faster.
+TEST(CommandLine, SigtermInLockstepEndsTheRunAfterWhatItsClientsHaveSent) {
+  constexpr int kClients = 100;
+  Simulator simulator({"course_map", "--pace", "lockstep"});
+  std::vector<std::unique_ptr<LineClient>> clients;
+  // All of this is there when it wakes up: connections, requests and the signal.
+  simulator.process().Signal(SIGSTOP);
+  for (int i = 0; i < kClients; ++i) {
+    clients.push_back(std::make_unique<LineClient>(simulator.port()));
+    clients.back()->Send("1 simulation list_robots\n");
+  }
+  simulator.process().Signal(SIGTERM);
+  simulator.process().Signal(SIGCONT);
+  for (const auto& client : clients) {
+    EXPECT_EQ(client->ReadLine(), "1 SUCCESS [\"s1r\"]");
+  }
+  clients.clear();
+  EXPECT_EQ(simulator.process().Wait(), 0);
+}
+
+TEST(CommandLine, SigtermInLockstepDoesNotWaitLongForAClientThatStays) {
+  Simulator simulator({"course_map", "--pace", "lockstep"});
+  const LineClient client(simulator.port());
+  simulator.process().Signal(SIGTERM);
+  EXPECT_EQ(simulator.process().Wait(), 0);
 }
 
 TEST(CommandLine, TheReportIsJson) {
