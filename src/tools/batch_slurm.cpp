@@ -1,10 +1,8 @@
 #include "tools/batch_slurm.h"
 
 #include <fmt/format.h>
-#include <poll.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstddef>
 #include <string_view>
@@ -14,26 +12,6 @@
 
 namespace ccmorse::tools {
 namespace {
-
-// A program's output and end, waited for.
-struct Finished {
-  ExitStatus status;
-  std::string out;
-  std::string err;
-};
-
-Finished RunToEnd(const std::vector<std::string>& command) {
-  ChildProcess process({command, "", {}});
-  Finished finished;
-  while (!process.Status() || process.out() >= 0 || process.err() >= 0) {
-    std::array<pollfd, 2> pipes{{{process.out(), POLLIN, 0}, {process.err(), POLLIN, 0}}};
-    ::poll(pipes.data(), pipes.size(), 20);
-    process.ReadOut(finished.out);
-    process.ReadErr(finished.err);
-  }
-  finished.status = *process.Status();
-  return finished;
-}
 
 std::string Stripped(const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \r\n");
@@ -83,7 +61,7 @@ std::string SlurmScript(const SlurmArray& array) {
 }
 
 std::string Submit(const std::string& script, const std::vector<int>& tasks) {
-  Finished sbatch;
+  FinishedProcess sbatch;
   try {
     sbatch =
         RunToEnd({"/usr/bin/env", "sbatch", "--parsable", "--array=" + TaskList(tasks), script});

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -229,6 +230,20 @@ const std::optional<ExitStatus>& ChildProcess::Status() {
 
 void ChildProcess::Signal(int signal) {
   if (!Status()) ::kill(-pid_, signal);
+}
+
+FinishedProcess RunToEnd(const std::vector<std::string>& command) {
+  ChildProcess process({command, "", {}});
+  FinishedProcess finished;
+  while (!process.Status() || process.out() >= 0 || process.err() >= 0) {
+    std::array<pollfd, 2> pipes{{{process.out(), POLLIN, 0}, {process.err(), POLLIN, 0}}};
+    // It may close its pipes long before it ends, so we look now and then.
+    ::poll(pipes.data(), pipes.size(), 20);
+    process.ReadOut(finished.out);
+    process.ReadErr(finished.err);
+  }
+  finished.status = *process.Status();
+  return finished;
 }
 
 }  // namespace ccmorse::tools

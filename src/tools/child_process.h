@@ -60,4 +60,15 @@ class ChildProcess {
   std::optional<ExitStatus> status_;
 };
 
+/// A process that has ended, and all that it printed.
+struct FinishedProcess {
+  ExitStatus status;
+  std::string out;
+  std::string err;
+};
+
+/// Runs a command (path first) to its end, however long that takes. Throws Error when it cannot be
+/// started.
+FinishedProcess RunToEnd(const std::vector<std::string>& command);
+
 }  // namespace ccmorse::tools

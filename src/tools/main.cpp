@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "tools/batch_command.h"
+#include "tools/bench_all.h"
 #include "tools/fleet_bench.h"
 #include "tools/rays_bench.h"
 #include "tools/run_command.h"
@@ -162,6 +163,11 @@ int main(int argc, char** argv) {
       ->type_name("S");
   rays_command->add_flag("--json", rays.json, "one JSON object instead of a table");
 
+  bool all_json = false;
+  CLI::App* const all_command = bench_command->add_subcommand(
+      "all", "everything, as one table with what is required (docs/performance.md)");
+  all_command->add_flag("--json", all_json, "one JSON object instead of a table");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -175,6 +181,7 @@ int main(int argc, char** argv) {
     if (list_command->parsed()) return ccmorse::tools::ListScenarios();
     if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);
     if (batch_command->parsed()) return ccmorse::tools::Batch(batch);
+    if (all_command->parsed()) return ccmorse::tools::BenchAll(all_json);
     if (fleet_command->parsed()) return ccmorse::tools::BenchFleet(fleet);
     return ccmorse::tools::Run(run);
   } catch (const ccmorse::Error& error) {

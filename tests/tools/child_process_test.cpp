@@ -18,31 +18,10 @@ ChildProcess::Options Shell(const std::string& script) {
   return {{"/bin/sh", "-c", script}, "", {}};
 }
 
-struct Ended {
-  ExitStatus status;
-  std::string out;
-  std::string err;
-};
-
-Ended WaitFor(ChildProcess& process) {
-  Ended ended;
-  while (!process.Status() || process.out() >= 0 || process.err() >= 0) {
-    pollfd pipes[] = {{process.out(), POLLIN, 0}, {process.err(), POLLIN, 0}};
-    ::poll(pipes, 2, 10);
-    process.ReadOut(ended.out);
-    process.ReadErr(ended.err);
-  }
-  ended.status = *process.Status();
-  return ended;
-}
-
-Ended RunShell(const std::string& script) {
-  ChildProcess process(Shell(script));
-  return WaitFor(process);
-}
+FinishedProcess RunShell(const std::string& script) { return RunToEnd({"/bin/sh", "-c", script}); }
 
 TEST(ChildProcess, OutputAndExitStatus) {
-  const Ended ended = RunShell("echo out; echo err >&2; exit 3");
+  const FinishedProcess ended = RunShell("echo out; echo err >&2; exit 3");
   EXPECT_EQ(ended.out, "out\n");
   EXPECT_EQ(ended.err, "err\n");
   EXPECT_EQ(ended.status.Text(), "exit status 3");
@@ -58,7 +37,13 @@ TEST(ChildProcess, ASignalIsNamed) {
 TEST(ChildProcess, FolderEnvironmentAndAnEmptyStdin) {
   ChildProcess process(
       {{"/bin/sh", "-c", "pwd; echo $NEW $HOME; cat"}, "/usr", {"NEW=x", "HOME=y"}});
-  EXPECT_EQ(WaitFor(process).out, "/usr\nx y\n");
+  std::string out;
+  while (process.out() >= 0) {
+    pollfd pipe{process.out(), POLLIN, 0};
+    ::poll(&pipe, 1, 10000);
+    process.ReadOut(out);
+  }
+  EXPECT_EQ(out, "/usr\nx y\n");
 }
 
 TEST(ChildProcess, WhatCannotBeStartedSaysWhy) {

@@ -1,0 +1,185 @@
+#include "tools/bench_all.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/json.h"
+#include "tools/child_process.h"
+
+namespace ccmorse::tools {
+namespace {
+
+// A benchmark's figures by name; empty when this build has no such benchmark.
+using Figures = Json;
+
+constexpr double kFleetStretch = 4.0;  // s of wall time of each measurement
+
+Figures RunBenchmark(std::vector<std::string> words) {
+  words.insert(words.begin(), {std::filesystem::read_symlink("/proc/self/exe").string(), "bench"});
+  words.emplace_back("--json");
+  const FinishedProcess run = RunToEnd(words);
+  if (!run.status.ok()) return Json::Object{};
+  try {
+    return Json::Parse(run.out);
+  } catch (const JsonError&) {
+    return Json::Object{};
+  }
+}
+
+Figures Fleet(int robots) {
+  const auto run = [robots](double seconds) {
+    return RunBenchmark({"fleet", "--robots", std::to_string(robots), "--seconds",
+                         fmt::format("{:.1f}", std::clamp(seconds, 0.5, 1e6))});
+  };
+  const auto factor = [](const Figures& figures) {
+    const Json* const value = figures.Find("sim_s_per_wall_s");
+    return value != nullptr ? value->AsDouble() : 0.0;
+  };
+  // A short run tells how long one of kFleetStretch is; of three of those the median counts.
+  const double seconds = factor(run(2000.0 / robots)) * kFleetStretch;
+  std::vector<Figures> runs;
+  for (int i = 0; i < 3; ++i) runs.push_back(run(seconds));
+  std::sort(runs.begin(), runs.end(),
+            [&](const Figures& a, const Figures& b) { return factor(a) < factor(b); });
+  return runs[1];
+}
+
+// How each benchmark is run; a row names one.
+const std::map<std::string, std::function<Figures()>>& Benchmarks() {
+  static const std::map<std::string, std::function<Figures()>> all = {
+      {"fleet 1", [] { return Fleet(1); }},
+      {"fleet 10", [] { return Fleet(10); }},
+      {"fleet 100", [] { return Fleet(100); }},
+      {"fleet 1000", [] { return Fleet(1000); }},
+      {"rays", [] { return RunBenchmark({"rays"}); }},
+      {"link", [] { return RunBenchmark({"link"}); }},
+  };
+  return all;
+}
+
+// One line of the table.
+struct Row {
+  const char* what;
+  const char* unit;
+  double required;  // in the unit
+  double aim;
+  const char* benchmark;  // of Benchmarks()
+  const char* figure;     // its name there
+  double scale = 1.0;     // unit per unit of the figure
+  bool less_is_more = false;
+};
+
+// In the order of the table. A row whose figure is not there is shown as not measured.
+constexpr Row kRows[] = {
+    {"fleet of 1 robot", "sim s / wall s", 5000, 20000, "fleet 1", "sim_s_per_wall_s"},
+    {"fleet of 10 robots", "sim s / wall s", 1500, 3000, "fleet 10", "sim_s_per_wall_s"},
+    {"fleet of 100 robots", "sim s / wall s", 150, 300, "fleet 100", "sim_s_per_wall_s"},
+    {"fleet of 1000 robots", "sim s / wall s", 12, 30, "fleet 1000", "sim_s_per_wall_s"},
+    {"memory, 1000 robots", "MB", 100, 50, "fleet 1000", "peak_rss_mb", 1.0, true},
+    {"load time, 1000 robots", "s", 0.5, 0.2, "fleet 1000", "load_s", 1.0, true},
+    {"planar rays, SyRoTek, one core", "M/s", 50, 150, "rays", "planar_full_arena_rays_per_s",
+     1e-6},
+    {"planar rays, peers' arena, one core", "M/s", 200, 400, "rays",
+     "planar_peers_arena_rays_per_s", 1e-6},
+    {"client in lock-step", "sim s / wall s", 1000, 2500, "link", "lockstep_sim_s_per_wall_s"},
+    {"Read() in real time, p50", "us", 100, 40, "link", "read_p50_us", 1.0, true},
+    {"Read() in real time, p99", "us", 1000, 300, "link", "read_p99_us", 1.0, true},
+    {"canvas, fast link against JSON", "times", 30, 100, "link", "canvas_ratio"},
+};
+
+std::optional<double> Measured(const Row& row, const std::map<std::string, Figures>& figures) {
+  const auto found = figures.find(row.benchmark);
+  const Json* const value = found != figures.end() ? found->second.Find(row.figure) : nullptr;
+  if (value == nullptr || !value->IsNumber()) return std::nullopt;
+  return value->AsDouble() * row.scale;
+}
+
+bool Meets(const Row& row, double measured, double wanted) {
+  return row.less_is_more ? measured <= wanted : measured >= wanted;
+}
+
+std::string Verdict(const Row& row, const std::optional<double>& measured) {
+  if (!measured) return "not measured";
+  if (Meets(row, *measured, row.aim)) return "yes, and the aim";
+  return Meets(row, *measured, row.required) ? "yes" : "NO";
+}
+
+std::string NumberText(double value) {
+  if (value >= 1000.0) return fmt::format("{:.0f}", value);
+  return fmt::format("{:.3g}", value);
+}
+
+// "AMD EPYC ..., 2 cores": the machine that a table is of.
+std::string Machine() {
+  std::string model = "unknown processor";
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("model name")) continue;
+    const std::size_t colon = line.find(": ");
+    if (colon != std::string::npos) model = line.substr(colon + 2);
+    break;
+  }
+  return fmt::format("{}, {} cores", model, std::thread::hardware_concurrency());
+}
+
+void PrintTable(const std::map<std::string, Figures>& figures) {
+  fmt::print("{}\n\n{:<36} {:<15} {:>9} {:>9} {:>9}  {}\n", Machine(), "", "unit", "required",
+             "aim", "measured", "met?");
+  for (const Row& row : kRows) {
+    const auto measured = Measured(row, figures);
+    fmt::print("{:<36} {:<15} {:>9} {:>9} {:>9}  {}\n", row.what, row.unit,
+               NumberText(row.required), NumberText(row.aim),
+               measured ? NumberText(*measured) : "-", Verdict(row, measured));
+  }
+}
+
+void PrintJson(const std::map<std::string, Figures>& figures) {
+  Json::Array rows;
+  for (const Row& row : kRows) {
+    const auto measured = Measured(row, figures);
+    rows.emplace_back(
+        Json::Object{{"what", row.what},
+                     {"unit", row.unit},
+                     {"required", row.required},
+                     {"aim", row.aim},
+                     {"measured", measured ? Json(*measured) : Json()},
+                     {"met", measured ? Json(Meets(row, *measured, row.required)) : Json()},
+                     {"aim_met", measured ? Json(Meets(row, *measured, row.aim)) : Json()}});
+  }
+  Json::Object benchmarks;
+  for (const auto& [name, values] : figures) benchmarks.emplace_back(name, values);
+  fmt::print("{}\n", Json(Json::Object{{"machine", Machine()},
+                                       {"rows", std::move(rows)},
+                                       {"benchmarks", std::move(benchmarks)}})
+                         .Dump());
+}
+
+}  // namespace
+
+int BenchAll(bool json) {
+  std::map<std::string, Figures> figures;
+  for (const Row& row : kRows) {
+    if (figures.contains(row.benchmark)) continue;
+    fmt::print(stderr, "measuring: {}\n", row.benchmark);
+    figures[row.benchmark] = Benchmarks().at(row.benchmark)();
+  }
+  if (json) {
+    PrintJson(figures);
+  } else {
+    PrintTable(figures);
+  }
+  return 0;
+}
+
+}  // namespace ccmorse::tools
