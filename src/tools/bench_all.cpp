@@ -23,8 +23,6 @@ namespace {
 // A benchmark's figures by name; empty when this build has no such benchmark.
 using Figures = Json;
 
-constexpr double kFleetStretch = 4.0;  // s of wall time of each measurement
-
 Figures RunBenchmark(std::vector<std::string> words) {
   words.insert(words.begin(), {std::filesystem::read_symlink("/proc/self/exe").string(), "bench"});
   words.emplace_back("--json");
@@ -37,7 +35,7 @@ Figures RunBenchmark(std::vector<std::string> words) {
   }
 }
 
-Figures Fleet(int robots) {
+Figures Fleet(int robots, double stretch) {
   const auto run = [robots](double seconds) {
     return RunBenchmark({"fleet", "--robots", std::to_string(robots), "--seconds",
                          fmt::format("{:.1f}", std::clamp(seconds, 0.5, 1e6))});
@@ -46,8 +44,8 @@ Figures Fleet(int robots) {
     const Json* const value = figures.Find("sim_s_per_wall_s");
     return value != nullptr ? value->AsDouble() : 0.0;
   };
-  // A short run tells how long one of kFleetStretch is; of three of those the median counts.
-  const double seconds = factor(run(2000.0 / robots)) * kFleetStretch;
+  // A short run tells how much fills the stretch; of three of that length the median counts.
+  const double seconds = factor(run(std::min(stretch, 1.0) * 2000.0 / robots)) * stretch;
   std::vector<Figures> runs;
   for (int i = 0; i < 3; ++i) runs.push_back(run(seconds));
   std::sort(runs.begin(), runs.end(),
@@ -55,16 +53,22 @@ Figures Fleet(int robots) {
   return runs[1];
 }
 
-// How each benchmark is run; a row names one.
-const std::map<std::string, std::function<Figures()>>& Benchmarks() {
-  static const std::map<std::string, std::function<Figures()>> all = {
-      {"fleet 1", [] { return Fleet(1); }},
-      {"fleet 10", [] { return Fleet(10); }},
-      {"fleet 100", [] { return Fleet(100); }},
-      {"fleet 1000", [] { return Fleet(1000); }},
-      {"rays", [] { return RunBenchmark({"rays"}); }},
-      {"embree", [] { return RunBenchmark({"embree"}); }},
-      {"link", [] { return RunBenchmark({"link"}); }},
+// How each benchmark is run, for so many seconds of wall-clock time; a row names one.
+using Benchmark = std::function<Figures(double seconds)>;
+
+const std::map<std::string, Benchmark>& Benchmarks() {
+  const auto timed = [](const char* name) {
+    return [name](double seconds) {
+      return RunBenchmark({name, "--seconds", fmt::format("{}", seconds / 2.0)});
+    };
+  };
+  const auto fleet = [](int robots) {
+    return [robots](double seconds) { return Fleet(robots, seconds); };
+  };
+  static const std::map<std::string, Benchmark> all = {
+      {"fleet 1", fleet(1)},       {"fleet 10", fleet(10)}, {"fleet 100", fleet(100)},
+      {"fleet 1000", fleet(1000)}, {"rays", timed("rays")}, {"embree", timed("embree")},
+      {"link", timed("link")},
   };
   return all;
 }
@@ -186,14 +190,14 @@ void PrintJson(const FiguresByBenchmark& figures) {
 
 }  // namespace
 
-int BenchAll(bool json) {
+int BenchAll(const BenchAllArguments& arguments) {
   FiguresByBenchmark figures;
   for (const Row& row : kRows) {
     if (figures.contains(row.benchmark)) continue;
     fmt::print(stderr, "measuring: {}\n", row.benchmark);
-    figures[row.benchmark] = Benchmarks().at(row.benchmark)();
+    figures[row.benchmark] = Benchmarks().at(row.benchmark)(arguments.seconds);
   }
-  if (json) {
+  if (arguments.json) {
     PrintJson(figures);
   } else {
     PrintTable(figures);

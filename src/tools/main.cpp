@@ -163,10 +163,14 @@ int main(int argc, char** argv) {
       ->type_name("S");
   rays_command->add_flag("--json", rays.json, "one JSON object instead of a table");
 
-  bool all_json = false;
+  ccmorse::tools::BenchAllArguments all;
   CLI::App* const all_command = bench_command->add_subcommand(
       "all", "everything, as one table with what is required (docs/performance.md)");
-  all_command->add_flag("--json", all_json, "one JSON object instead of a table");
+  all_command
+      ->add_option("--seconds", all.seconds, "wall-clock time of each measurement of a fleet  [4]")
+      ->check(CLI::Range(0.01, 1e3))
+      ->type_name("S");
+  all_command->add_flag("--json", all.json, "one JSON object instead of a table");
 
   try {
     app.parse(argc, argv);
@@ -181,7 +185,7 @@ int main(int argc, char** argv) {
     if (list_command->parsed()) return ccmorse::tools::ListScenarios();
     if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);
     if (batch_command->parsed()) return ccmorse::tools::Batch(batch);
-    if (all_command->parsed()) return ccmorse::tools::BenchAll(all_json);
+    if (all_command->parsed()) return ccmorse::tools::BenchAll(all);
     if (fleet_command->parsed()) return ccmorse::tools::BenchFleet(fleet);
     return ccmorse::tools::Run(run);
   } catch (const ccmorse::Error& error) {

@@ -172,6 +172,23 @@ TEST(CommandLine, TheFleetBenchmarkIsRepeatable) {
   EXPECT_EQ(hash(first.output), hash(RunToEnd(command).output));
 }
 
+// How fast it is, is no test's business; that each row has its figure is.
+TEST(CommandLine, BenchAllMeasuresItsRows) {
+  const Finished run = RunToEnd({kCcmorse, "bench", "all", "--seconds", "0.05", "--json"});
+  ASSERT_EQ(run.status, 0) << run.output;
+  const Json table = Json::Parse(run.output.substr(run.output.find('{')));
+  int fleets = 0;
+  for (const Json& row : table.Find("rows")->AsArray()) {
+    const std::string& what = row.Find("what")->AsString();
+    if (!what.starts_with("fleet") && !what.starts_with("planar")) continue;
+    ++fleets;
+    EXPECT_GT(row.Find("measured")->AsDouble(), 0.0) << what;
+    EXPECT_EQ(row.Find("met")->AsBool(),
+              row.Find("measured")->AsDouble() >= row.Find("required")->AsDouble());
+  }
+  EXPECT_EQ(fleets, 6);
+}
+
 TEST(W11, ThirteenRobotsRunFromTheirDocks) { EXPECT_EQ(RunScenario("docks").status, 0); }
 
 TEST(CommandLine, EveryListedScenarioRuns) {
