@@ -1,12 +1,15 @@
 #!/bin/sh
-# Prints this issue's figures in one table: a scan, a tick, the start, and the introduction program
-# in lock-step over TCP. Needs ./check's build. Run: sh benchmarks/run.sh
+# Measures this machine: rewrites the tables and the plot of docs/performance.md, then prints what a
+# scan, a tick, the start, and the introduction program in lock-step over TCP take. Needs ./check's
+# build and a quiet machine, for about 6 minutes. Run: sh benchmarks/run.sh
 set -eu
 cd "$(dirname "$0")/.."
 bin=build/release/bin
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
+python3 benchmarks/report.py measure "$bin"
+python3 benchmarks/report.py write
 "$bin/scan_benchmark" --benchmark_min_time=1
 
 # From the start of the process to its end after one tick: an upper bound of the start to the first

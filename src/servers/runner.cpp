@@ -81,6 +81,15 @@ void Runner::Stop() {
   boost::asio::post(io_, [] {});  // wakes a Run() that waits
 }
 
+void Runner::StopAfterClients() {
+  if (options_.pace != Pace::kLockstep) return Stop();
+  if (patience_) return;
+  patience_.emplace(io_, kFarewell);
+  patience_->async_wait([this](boost::system::error_code error) {
+    if (!error) Stop();
+  });
+}
+
 bool Runner::Over() const {
   // Half a tick of slack: 0.1 s are 6 ticks at 60 Hz, whatever 0.1 * 60 rounds to.
   const double half_tick = 0.5 / simulation_.scenario().time.frequency;
@@ -162,6 +171,13 @@ void Runner::WaitForClients() {
   const auto limit = std::chrono::duration_cast<WallClock::duration>(
       std::chrono::duration<double>(options_.client_timeout));
   while (!stop_ && !morse_.ClientsAreWaiting(options_.clients)) {
+    // After StopAfterClients() what is there comes first: a client that was not yet accepted may
+    // have left commands behind.
+    if (patience_ && io_.poll_one() > 0) continue;
+    if (patience_ && !morse_.HasClients()) {
+      stop_ = true;
+      break;
+    }
     const auto look_again =
         limit > WallClock::duration::zero() ? morse_.LetHangingGo(limit) : std::nullopt;
     if (look_again) {

@@ -2,9 +2,11 @@
 
 #include <atomic>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "servers/morse/morse_server.h"
@@ -57,6 +59,11 @@ class Runner {
   /// Ends Run() soon. May be called from a handler of io() or from any thread.
   void Stop();
 
+  /// Lock-step: ends Run() as soon as every client has left and all that they sent has been taken
+  /// in, so that the state at the end does not depend on who was faster; after 2 s at the latest.
+  /// At another pace as Stop(). From a handler of io().
+  void StopAfterClients();
+
   boost::asio::io_context& io() { return io_; }
   MorseServer& morse() { return morse_; }
 
@@ -80,7 +87,8 @@ class Runner {
   RunOptions options_;
   MorseServer morse_;
   std::atomic<bool> stop_ = false;
-  WallClock::time_point start_;      // of the first step
+  std::optional<boost::asio::steady_timer> patience_;  // runs since StopAfterClients()
+  WallClock::time_point start_;                        // of the first step
   WallClock::time_point pace_base_;  // real time: when pace_tick_ was or will be due
   std::uint64_t pace_tick_ = 0;
   WallClock::time_point last_tick_;

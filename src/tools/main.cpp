@@ -8,11 +8,65 @@
 #include <string>
 
 #include "base/error.h"
+#include "tools/batch_command.h"
+#include "tools/bench_all.h"
 #include "tools/fleet_bench.h"
 #include "tools/link_bench.h"
 #include "tools/rays_bench.h"
 #include "tools/replay_command.h"
 #include "tools/run_command.h"
+
+namespace {
+
+void AddBatchOptions(CLI::App& command, ccmorse::tools::BatchArguments& batch) {
+  command.add_option("manifest", batch.manifest, "the jobs, as JSON (docs/batch.md)")
+      ->required()
+      ->type_name("MANIFEST.json");
+  command.add_option("-j,--jobs", batch.at_once, "so many at a time  [the number of cores]")
+      ->check(CLI::Range(1, 256))
+      ->type_name("N");
+  command
+      .add_option("--out", batch.out,
+                  "one JSON line a job; those of an earlier start stay  [MANIFEST.results.jsonl]")
+      ->type_name("FILE.jsonl");
+  command.add_flag("--retry", batch.retry, "do jobs again that failed or ran out of time");
+  command.add_flag("--timing", batch.timing, "add wall-clock times to the results");
+  command
+      .add_option("--log-kib", batch.log_kib,
+                  "of what a program prints keep the first and the last half of this, KiB  [256]")
+      ->check(CLI::Range(1, 1 << 20))
+      ->type_name("N");
+  command.add_flag("-q,--quiet", batch.quiet, "no progress");
+  CLI::Option* const slurm =
+      command.add_flag("--slurm", batch.slurm, "submit the jobs as a Slurm job array");
+  command.add_option("--tasks", batch.tasks, "of the array  [one a job, 100 at most]")
+      ->check(CLI::Range(1, 100000))
+      ->needs(slurm)
+      ->type_name("T");
+  command.add_option("--sbatch", batch.sbatch, "an option for sbatch, as --sbatch=--time=1:00:00")
+      ->needs(slurm)
+      ->type_name("OPTION");
+  command.add_flag("--dry-run", batch.dry_run, "print the job script, submit nothing")
+      ->needs(slurm);
+  CLI::Option* const task =
+      command
+          .add_option("--task", batch.task,
+                      "only every T-th job from the K-th on, into a part of the results: what each "
+                      "task of the array does")
+          ->excludes(slurm)
+          ->type_name("K/T");
+  command.add_flag("--collect", batch.collect, "merge the parts into --out")
+      ->excludes(slurm)
+      ->excludes(task);
+  command.footer(
+      "Examples:\n"
+      "  ccmorse batch sweep.json -j 8\n"
+      "  ccmorse batch sweep.json --slurm --tasks 40 --sbatch=--partition=long\n"
+      "  ccmorse batch sweep.json --collect\n"
+      "Exit status: 0 when every job has a result, good or bad; 1 after an error.");
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"ccmorse - robots for programs written for Player, MORSE and SyRoTek", "ccmorse"};
@@ -146,6 +200,11 @@ int main(int argc, char** argv) {
 
   CLI::App* const list_command = app.add_subcommand("list", "list the scenarios");
 
+  ccmorse::tools::BatchArguments batch;
+  CLI::App* const batch_command = app.add_subcommand(
+      "batch", "run many scenarios, seeds and programs, and go on where it was stopped");
+  AddBatchOptions(*batch_command, batch);
+
   CLI::App* const bench_command = app.add_subcommand("bench", "measure this machine's speed");
   bench_command->require_subcommand(1);
   ccmorse::tools::FleetArguments fleet;
@@ -178,6 +237,15 @@ int main(int argc, char** argv) {
       ->type_name("S");
   link_command->add_flag("--json", link.json, "one JSON object instead of a table");
 
+  ccmorse::tools::BenchAllArguments all;
+  CLI::App* const all_command = bench_command->add_subcommand(
+      "all", "everything, as one table with what is required (docs/performance.md)");
+  all_command
+      ->add_option("--seconds", all.seconds, "wall-clock time of each measurement of a fleet  [4]")
+      ->check(CLI::Range(0.01, 1e3))
+      ->type_name("S");
+  all_command->add_flag("--json", all.json, "one JSON object instead of a table");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -192,6 +260,8 @@ int main(int argc, char** argv) {
     if (list_command->parsed()) return ccmorse::tools::ListScenarios();
     if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);
     if (link_command->parsed()) ccmorse::tools::BenchLink(link);
+    if (batch_command->parsed()) return ccmorse::tools::Batch(batch);
+    if (all_command->parsed()) return ccmorse::tools::BenchAll(all);
     if (fleet_command->parsed()) return ccmorse::tools::BenchFleet(fleet);
     return ccmorse::tools::Run(run);
   } catch (const ccmorse::Error& error) {

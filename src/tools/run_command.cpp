@@ -177,8 +177,13 @@ int Run(const RunArguments& arguments) {
   }
 
   boost::asio::signal_set signals(runner.io(), SIGINT, SIGTERM, SIGHUP);
-  signals.async_wait([&runner](boost::system::error_code error, int) {
-    if (!error) runner.Stop();
+  signals.async_wait([&runner](boost::system::error_code error, int signal) {
+    if (error) return;
+    if (signal == SIGTERM) {
+      runner.StopAfterClients();
+    } else {
+      runner.Stop();
+    }
   });
 
   if (!arguments.quiet) {

@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
 
 #include "base/error.h"
@@ -101,6 +102,33 @@ TEST(CommandLine, CtrlCEndsARunWithItsReport) {
   EXPECT_NE(simulator.process().output().find("EXITING SIMULATION"), std::string::npos);
 }
 
+// So that a run whose program has left gives the same hash whoever was faster.
+TEST(CommandLine, SigtermInLockstepEndsTheRunAfterWhatItsClientsHaveSent) {
+  constexpr int kClients = 100;
+  Simulator simulator({"course_map", "--pace", "lockstep"});
+  std::vector<std::unique_ptr<LineClient>> clients;
+  // All of this is there when it wakes up: connections, requests and the signal.
+  simulator.process().Signal(SIGSTOP);
+  for (int i = 0; i < kClients; ++i) {
+    clients.push_back(std::make_unique<LineClient>(simulator.port()));
+    clients.back()->Send("1 simulation list_robots\n");
+  }
+  simulator.process().Signal(SIGTERM);
+  simulator.process().Signal(SIGCONT);
+  for (const auto& client : clients) {
+    EXPECT_EQ(client->ReadLine(), "1 SUCCESS [\"s1r\"]");
+  }
+  clients.clear();
+  EXPECT_EQ(simulator.process().Wait(), 0);
+}
+
+TEST(CommandLine, SigtermInLockstepDoesNotWaitLongForAClientThatStays) {
+  Simulator simulator({"course_map", "--pace", "lockstep"});
+  const LineClient client(simulator.port());
+  simulator.process().Signal(SIGTERM);
+  EXPECT_EQ(simulator.process().Wait(), 0);
+}
+
 TEST(CommandLine, TheReportIsJson) {
   const TemporaryFolder folder;
   const std::string report = folder.path() + "/new/report.json";
@@ -142,6 +170,23 @@ TEST(CommandLine, TheFleetBenchmarkIsRepeatable) {
   ASSERT_EQ(first.status, 0) << first.output;
   EXPECT_EQ(Json::Parse(first.output).Find("contacts")->AsInt(), 0);
   EXPECT_EQ(hash(first.output), hash(RunToEnd(command).output));
+}
+
+// How fast it is, is no test's business; that each row has its figure is.
+TEST(CommandLine, BenchAllMeasuresItsRows) {
+  const Finished run = RunToEnd({kCcmorse, "bench", "all", "--seconds", "0.05", "--json"});
+  ASSERT_EQ(run.status, 0) << run.output;
+  const Json table = Json::Parse(run.output.substr(run.output.find('{')));
+  int fleets = 0;
+  for (const Json& row : table.Find("rows")->AsArray()) {
+    const std::string& what = row.Find("what")->AsString();
+    if (!what.starts_with("fleet") && !what.starts_with("planar")) continue;
+    ++fleets;
+    EXPECT_GT(row.Find("measured")->AsDouble(), 0.0) << what;
+    EXPECT_EQ(row.Find("met")->AsBool(),
+              row.Find("measured")->AsDouble() >= row.Find("required")->AsDouble());
+  }
+  EXPECT_EQ(fleets, 6);
 }
 
 TEST(W11, ThirteenRobotsRunFromTheirDocks) { EXPECT_EQ(RunScenario("docks").status, 0); }

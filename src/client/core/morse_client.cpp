@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "base/json.h"
+#include "client/core/address.h"
 #include "client/core/connection.h"
 #include "client/core/device_registry.h"
 #include "client/core/subscription.h"
@@ -328,7 +329,8 @@ MorseClient::MorseClient(const std::string& host, int port)
 
 MorseClient::~MorseClient() { Close(); }
 
-std::shared_ptr<MorseClient> MorseClient::Share(const std::string& host, int port) {
+std::shared_ptr<MorseClient> MorseClient::Share(const std::string& asked_host, int asked_port) {
+  const auto [host, port] = core::AddressFor(asked_host, asked_port);
   Directory& directory = TheDirectory();
   const std::lock_guard lock(directory.mutex);
   Directory::Entry& entry = directory.entries[{host, port}];
@@ -346,7 +348,8 @@ std::shared_ptr<MorseClient> MorseClient::Share(const std::string& host, int por
   return counted;
 }
 
-MorseClient& MorseClient::GetInstance(const std::string& host, int port) {
+MorseClient& MorseClient::GetInstance(const std::string& asked_host, int asked_port) {
+  const auto [host, port] = core::AddressFor(asked_host, asked_port);
   std::shared_ptr<MorseClient> client = Share(host, port);
   Directory& directory = TheDirectory();
   const std::lock_guard lock(directory.mutex);

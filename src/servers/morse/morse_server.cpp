@@ -810,6 +810,10 @@ bool MorseServer::HasReaders() const {
                      [](const auto& c) { return c->reads(); });
 }
 
+bool MorseServer::HasClients() const {
+  return !shared_->connections.empty() || shared_->stream_clients > 0;
+}
+
 void MorseServer::EndReads(const std::string& reason) {
   shared_->ended = reason;
   shared_->TellConnections();

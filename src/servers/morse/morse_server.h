@@ -68,6 +68,8 @@ class MorseServer {
   bool ClientsAreWaiting(int clients) const;
   /// Has any client ever sent a `read` and not yet left?
   bool HasReaders() const;
+  /// Is any client connected, to the services or to a stream?
+  bool HasClients() const;
   /// Lock-step: closes, with a log line, connections of clients that hang: that read, have sent
   /// nothing for `limit`, and keep another one waiting for as long. When to look again; nothing
   /// while nobody waits for anybody.
