@@ -110,6 +110,12 @@ int main(int argc, char** argv) {
   run_command->add_option("--for", run.seconds, "stop after this much simulated time  [never]")
       ->check(CLI::Range(0.001, 1e9))
       ->type_name("SECONDS");
+  run_command
+      ->add_option("--threads", run.threads,
+                   "that share the work; they change the time it takes and nothing else  [as many "
+                   "as are sensible]")
+      ->check(CLI::Range(1, 256))
+      ->type_name("N");
   run_command->add_option("--seed", run.seed, "of all random numbers  [the scenario's]")
       ->check([](const std::string& text) -> std::string {
         std::int64_t value = 0;  // CLI11 itself takes what is too large for the largest there is

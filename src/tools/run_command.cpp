@@ -163,7 +163,7 @@ int Run(const RunArguments& arguments) {
   std::filesystem::create_directories(arguments.out, failed);
   if (failed) throw Error("cannot make the folder " + arguments.out + ": " + failed.message());
 
-  sim::Simulation simulation(std::move(scenario));
+  sim::Simulation simulation(std::move(scenario), arguments.threads);
   simulation.canvas().set_picture_folder(arguments.out);
   servers::Runner runner(simulation, options);
   std::optional<HashPrinter> printer;

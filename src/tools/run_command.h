@@ -12,6 +12,7 @@ struct RunArguments {
   bool headless = false;
   std::optional<std::string> pace;   ///< "real", "lockstep" or "max"
   double seconds = 0.0;              ///< simulated; 0: until stopped
+  int threads = 0;                   ///< that share the work; 0: as many as are sensible
   std::optional<std::int64_t> seed;  ///< >= 0
   int clients = 1;                   ///< lock-step: wait for so many
   double client_timeout = 10.0;      ///< lock-step: s of wall time a client may hang; 0: for ever

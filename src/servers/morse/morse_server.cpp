@@ -45,6 +45,14 @@ const char* StatusWord(Outcome outcome) {
   return "PREEMPTED";
 }
 
+// Clients are worked on in the order in which they came, not by where they lie in memory.
+struct Earlier {
+  template <typename Client>
+  bool operator()(const Client& a, const Client& b) const {
+    return a->arrival() < b->arrival();
+  }
+};
+
 }  // namespace
 
 // What all connections use. Connections hold it weakly or by reference through the server's
@@ -90,7 +98,8 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
   MorseServerOptions options;
   ServiceDirectory directory;
   std::shared_ptr<Listener> listener;
-  std::set<std::shared_ptr<ServiceConnection>> connections;
+  std::uint64_t arrivals = 0;  // of clients, so far
+  std::set<std::shared_ptr<ServiceConnection>, Earlier> connections;
   std::vector<std::shared_ptr<ServiceConnection>> told;  // scratch of TellConnections()
   std::vector<std::shared_ptr<StreamPort>> streams;
   std::size_t stream_clients = 0;
@@ -114,7 +123,8 @@ class MorseServer::ServiceConnection
         peek_timer_(shared.io),
         outbox_(socket_),
         lines_(shared.options.longest_request),
-        frames_(wire::kMostClientFrame) {
+        frames_(wire::kMostClientFrame),
+        arrival_(++shared.arrivals) {
     ErrorCode ignored;
     const tcp::endpoint peer = socket_.remote_endpoint(ignored);
     address_ = name_ = peer.address().to_string() + ":" + std::to_string(peer.port());
@@ -122,6 +132,7 @@ class MorseServer::ServiceConnection
 
   void Start() { Read(); }
 
+  std::uint64_t arrival() const { return arrival_; }
   bool reads() const { return joined_; }
   bool read_outstanding() const { return read_waits_; }
   std::uint64_t read_tick() const { return shared_.ReadTick(next_read_); }
@@ -569,6 +580,7 @@ class MorseServer::ServiceConnection
   std::string name_;
   wire::LineSplitter lines_;
   wire::FrameSplitter frames_;
+  const std::uint64_t arrival_;
   std::shared_ptr<FastLinkSession> fast_;  // nullptr: lines
   std::vector<char> block_;
   std::string line_;
@@ -656,12 +668,14 @@ class MorseServer::StreamPort : public std::enable_shared_from_this<MorseServer:
 
  private:
   struct Client {
-    Client(tcp::socket socket_in, std::size_t longest)
-        : socket(std::move(socket_in)), outbox(socket), lines(longest) {}
+    Client(tcp::socket socket_in, std::size_t longest, std::uint64_t arrival_in)
+        : socket(std::move(socket_in)), outbox(socket), lines(longest), number(arrival_in) {}
+    std::uint64_t arrival() const { return number; }
     tcp::socket socket;
     Outbox outbox;
     wire::LineSplitter lines;
     std::array<char, 4096> block{};
+    std::uint64_t number;  // among the arrivals
     std::optional<std::string> newest;
   };
 
@@ -672,7 +686,8 @@ class MorseServer::StreamPort : public std::enable_shared_from_this<MorseServer:
       return;
     }
     ++shared_.stream_clients;
-    auto client = std::make_shared<Client>(std::move(socket), shared_.options.longest_stream_line);
+    auto client = std::make_shared<Client>(std::move(socket), shared_.options.longest_stream_line,
+                                           ++shared_.arrivals);
     clients_.insert(client);
     Read(client);
   }
@@ -719,7 +734,7 @@ class MorseServer::StreamPort : public std::enable_shared_from_this<MorseServer:
   sim::Sensor* sensor_;
   sim::Actuator* actuator_;
   std::shared_ptr<Listener> listener_;
-  std::set<std::shared_ptr<Client>> clients_;
+  std::set<std::shared_ptr<Client>, Earlier> clients_;
 };
 
 MorseServer::MorseServer(asio::io_context& io, sim::Simulation& simulation, RunControl control,
