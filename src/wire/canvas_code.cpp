@@ -177,6 +177,7 @@ bool ReadStretches(ByteReader& reader, std::size_t cells, Take take) {
 void AppendChanges(std::string& code, const std::uint8_t* base, const std::uint8_t* image,
                    int width, int height) {
   const std::size_t row = static_cast<std::size_t>(width) * kCellBytes;
+  if (row == 0) return;
   const auto changed = [&](int y) {
     const std::size_t at = static_cast<std::size_t>(y) * row;
     return std::memcmp(base + at, image + at, row) != 0;

@@ -96,7 +96,8 @@ TEST(N05, MessagesThatAreCutShortAreRefused) {
   DeclareMessage declare;
   EXPECT_FALSE(ParseDeclare(Bytes({1, 0, 5, 0, 'a', 'b'}), &declare));
   EXPECT_FALSE(ParseDeclare(Bytes({0, 0x10, 0, 0}), &declare));  // number 4096
-  ASSERT_TRUE(ParseDeclare(Bytes({1, 0, 1, 0, 'a', 'b'}), &declare));
+  const std::string declaration = Bytes({1, 0, 1, 0, 'a', 'b'});
+  ASSERT_TRUE(ParseDeclare(declaration, &declare));
   EXPECT_EQ(declare.component, "a");
   EXPECT_EQ(declare.service, "b");
   SubscribeMessage subscribe;
