@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "base/polygon.h"
-#include "base/trig.h"
+#include "sim/rays/range_engine.h"
 #include "sim/robots/robot.h"
 #include "sim/world.h"
 
@@ -14,16 +13,11 @@ LaserScanner::LaserScanner(Robot& robot, const std::string& name, const scene::L
     : Sensor(robot, name, "LaserScanner", def.frequency),
       def_(def),
       world_(world),
-      scanner_(def.samples, -Radians(def.scan_window_deg) / 2.0, Radians(def.resolution_deg),
-               def.range),
-      ranges_(static_cast<std::size_t>(def.samples), def.range) {}
+      fan_(def),
+      ranges_(fan_.count(), def.range) {}
 
 void LaserScanner::Sample(const Instant& now) {
-  const Pose2& base = robot().pose();
-  const Vec2 at = Transform(base, {def_.position.x, def_.position.y});
-  const double height = robot().model().origin_height + def_.position.z;
-  scanner_.Scan({at.x, at.y, base.yaw + def_.yaw}, world_.BoxesAt(height), world_.RobotsAt(height),
-                robot().index(), ranges_);
+  world_.rays().Scan(fan_, robot().pose(), robot().model().origin_height, robot().index(), ranges_);
   DataChanged(now.time);
 }
 
@@ -41,8 +35,8 @@ Json LaserScanner::Configurations() const {
                            {"resolution", def_.resolution_deg},
                            {"scan_window", def_.scan_window_deg},
                            {"Visible_arc", def_.visible_arc},
-                           {"layers", 1},
-                           {"layer_separation", 0.8},
+                           {"layers", def_.layers},
+                           {"layer_separation", def_.layer_separation},
                            {"layer_offset", def_.layer_offset},
                            {"frequency", def_.frequency}});
 }
@@ -52,11 +46,13 @@ void LaserScanner::AppendFields(std::string& out) const {
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     out += i == 0 ? "[" : ", [";
     const bool hit = ranges_[i] < def_.range;
-    const Vec2 point = (hit ? ranges_[i] : 0.0) * scanner_.Direction(static_cast<int>(i));
-    AppendJson(out, hit ? point.x : 0.0);
+    const Vec3 point = hit ? ranges_[i] * fan_.Direction(i) : Vec3{};
+    AppendJson(out, point.x);
     out += ", ";
-    AppendJson(out, hit ? point.y : 0.0);
-    out += ", 0.0]";
+    AppendJson(out, point.y);
+    out += ", ";
+    AppendJson(out, point.z);
+    out += ']';
   }
   out += "], \"range_list\": [";
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
