@@ -14,13 +14,28 @@ namespace {
 
 constexpr std::size_t kStream = 256;  // rays a call, as measured fastest (specs: dependencies 2c)
 
+constexpr std::size_t kMany = 400;  // movers, from which on incoherent rays are faster
+
 // Floats carry 24 bits. A ray's origin and direction, an instance's transformation and Embree's
 // intersection each cost some units in the last place of the largest coordinate; 64 of them are
 // several times what adds up.
-constexpr double kRounding = 0x1p-18;
+constexpr double kRounding = 0x1p-17;
 // Along the ray an error across it grows by 1 / cosine of the incidence: 64 times the rounding
 // covers all but rays that graze the surface, which are left to the double computation, too.
 constexpr double kSearchOn = 0x1p-12;
+
+// A ray meets an instance when their masks have a bit in common. Each mover has a mask of its own
+// with 16 of the 32 bits set, and a ray that is not to meet it has the other 16: any other mask has
+// one of those. There are 601,080,390.
+constexpr std::uint32_t kAllBits = 0xFFFFFFFFU;
+constexpr std::uint32_t kFirstMask = 0x0000FFFFU;
+
+// The next larger number with as many bits set (Gosper).
+constexpr std::uint32_t NextMask(std::uint32_t mask) {
+  const std::uint32_t lowest = mask & (~mask + 1U);
+  const std::uint32_t ripple = mask + lowest;
+  return ripple | (((mask ^ ripple) >> 2U) / lowest);
+}
 
 // One set of triangles as Embree and the filter know it.
 struct Geometry {
@@ -33,6 +48,7 @@ struct Geometry {
     double radius;
   };
   TriangleSet set;
+  bool moves;                       // it is a model of movers
   std::vector<Triangle> triangles;  // ordered as the set's
   std::vector<Sphere> spheres;      // around them
   // Embree's hit with barycentric coordinates u, v, w on a triangle with normal N is within it
@@ -51,9 +67,8 @@ Vec3 Grown(const Vec3& a, const Vec3& b, const Vec3& c, double area, double by) 
   const Vec3 from_c = a - c;
   const double length_b = Length(from_b);
   const double length_c = Length(from_c);
-  // A needle's tip would go far away; one thinner than the rounding is no loss.
-  const double reach =
-      std::min(by * length_b * length_c / area, std::max({length_b, length_c, by}));
+  // A needle's tip would go far away, and much would lie in its way.
+  const double reach = std::min(by * length_b * length_c / area, 4.0 * by);
   return a + (reach / length_b) * from_b + (reach / length_c) * from_c;
 }
 
@@ -62,14 +77,14 @@ struct Lane {
   double distance;  // to the nearest so far, m: exact, or Embree's
   const Geometry* geometry;
   std::uint32_t triangle;
-  std::uint32_t mover;  // or RTC_INVALID_GEOMETRY_ID
+  std::uint32_t mover;  // the instance's number
   bool exact;
 };
 
-// A lane has hit what the triangle `prim` of `geometry`, moved by `mover`, is part of.
+// What the triangle is part of, when its set is moved by `mover`.
 Surface SurfaceOf(const Geometry& geometry, std::uint32_t triangle, std::uint32_t mover) {
   Surface surface = geometry.set.surfaces[triangle];
-  if (mover != RTC_INVALID_GEOMETRY_ID) surface.object = static_cast<int>(mover);
+  if (geometry.moves) surface.object = static_cast<int>(mover);
   return surface;
 }
 
@@ -78,13 +93,13 @@ struct TraceContext {
   const Placement* placements;
   const Ray* rays;
   Lane* lanes;
-  std::uint32_t self;
   double search_on;
 };
 
-// The ray as the mover sees it.
-Ray LocalRay(const Ray& ray, const Placement* placements, std::uint32_t mover) {
-  if (mover == RTC_INVALID_GEOMETRY_ID) return ray;
+// The ray as the geometry sees it that `mover` moves.
+Ray LocalRay(const Ray& ray, const Geometry& geometry, const Placement* placements,
+             std::uint32_t mover) {
+  if (!geometry.moves) return ray;
   const Placement& at = placements[mover];
   return {RotateBack(at.rotation, ray.origin - at.position),
           RotateBack(at.rotation, ray.direction)};
@@ -105,19 +120,16 @@ bool Meets(const Ray& local, const Geometry& geometry, std::uint32_t triangle, d
   return distance >= 0.0;
 }
 
-// Embree offers hits of N rays; what is not the nearest so far is refused.
-void KeepNearest(const RTCFilterFunctionNArguments* offer) {
+// Embree offers hits of N rays; what is not the nearest so far is refused. For the compiler N is a
+// constant.
+template <unsigned count>
+void KeepNearestOf(const RTCFilterFunctionNArguments* offer) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): it is the first member
   const auto& context = *reinterpret_cast<const TraceContext*>(offer->context);
   const auto& geometry = *static_cast<const Geometry*>(offer->geometryUserPtr);
-  const unsigned count = offer->N;
   for (unsigned i = 0; i < count; ++i) {
     if (offer->valid[i] == 0) continue;
     const std::uint32_t mover = RTCHitN_instID(offer->hit, count, i, 0);
-    if (mover == context.self) {
-      offer->valid[i] = 0;
-      continue;
-    }
     // The direction may have been rotated in float, and the normal belongs to the grown triangle;
     // both only matter where a decision is left to double anyway.
     const float facing = RTCHitN_Ng_x(offer->hit, count, i) * RTCRayN_dir_x(offer->ray, count, i) +
@@ -146,13 +158,13 @@ void KeepNearest(const RTCFilterFunctionNArguments* offer) {
     }
     const Ray& ray = context.rays[id];
     double distance = 0.0;
-    if (!Meets(LocalRay(ray, context.placements, mover), geometry, triangle, distance)) {
+    if (!Meets(LocalRay(ray, geometry, context.placements, mover), geometry, triangle, distance)) {
       offer->valid[i] = 0;
       continue;
     }
     if (!lane.exact) {
-      lane.distance =
-          Distance(LocalRay(ray, context.placements, lane.mover), *lane.geometry, lane.triangle);
+      lane.distance = Distance(LocalRay(ray, *lane.geometry, context.placements, lane.mover),
+                               *lane.geometry, lane.triangle);
       lane.exact = true;
     }
     // Where two surfaces lie in one place, the first by name is seen.
@@ -168,6 +180,19 @@ void KeepNearest(const RTCFilterFunctionNArguments* offer) {
   }
 }
 
+void KeepNearest(const RTCFilterFunctionNArguments* offer) {
+  switch (offer->N) {
+    case 1:
+      return KeepNearestOf<1>(offer);
+    case 4:
+      return KeepNearestOf<4>(offer);
+    case 8:
+      return KeepNearestOf<8>(offer);
+    default:
+      return KeepNearestOf<16>(offer);  // the largest there is
+  }
+}
+
 // The same for IsBlocked(): anything before the far end will do.
 void KeepAny(const RTCFilterFunctionNArguments* offer) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): it is the first member
@@ -179,7 +204,7 @@ void KeepAny(const RTCFilterFunctionNArguments* offer) {
     const std::uint32_t triangle = RTCHitN_primID(offer->hit, offer->N, i);
     double distance = 0.0;
     const Lane& lane = context.lanes[0];
-    if (!Meets(LocalRay(context.rays[0], context.placements, mover), geometry, triangle,
+    if (!Meets(LocalRay(context.rays[0], geometry, context.placements, mover), geometry, triangle,
                distance) ||
         distance >= lane.distance) {
       offer->valid[i] = 0;
@@ -189,7 +214,8 @@ void KeepAny(const RTCFilterFunctionNArguments* offer) {
 
 struct ConeQuery {
   const Cone* cone;
-  const std::vector<const Geometry*>* geometries;  // by id in the outer scene
+  const std::vector<const Geometry*>* models;  // by mover
+  const std::vector<const Geometry*>* fixed;   // by id
   const Placement* placements;
   std::uint32_t self;
   double rounding;
@@ -198,17 +224,14 @@ struct ConeQuery {
 
 bool LookAtTriangle(RTCPointQueryFunctionArguments* arguments) {
   auto& query = *static_cast<ConeQuery*>(arguments->userPtr);
-  const bool moves = arguments->context->instStackSize > 0;
-  const std::uint32_t mover = moves ? arguments->context->instID[0] : RTC_INVALID_GEOMETRY_ID;
-  if (moves && mover == query.self) return false;
-  const Geometry& geometry = *(*query.geometries)[moves ? mover : arguments->geomID];
+  const std::uint32_t mover = arguments->context->instID[0];
+  if (mover == query.self) return false;
+  const Geometry& geometry =
+      mover < query.models->size() ? *(*query.models)[mover] : *(*query.fixed)[arguments->geomID];
   const std::uint32_t triangle = arguments->primID;
-  Cone cone = *query.cone;
-  if (moves) {
-    const Ray local = LocalRay({cone.apex, cone.axis}, query.placements, mover);
-    cone.apex = local.origin;
-    cone.axis = local.direction;
-  }
+  const Ray local =
+      LocalRay({query.cone->apex, query.cone->axis}, geometry, query.placements, mover);
+  const Cone cone{local.origin, local.direction, query.cone->cosine, query.cone->sine};
   const Geometry::Triangle& plane = geometry.triangles[triangle];
   if (geometry.set.closed && Dot(plane.normal, plane.a - cone.apex) >= 0.0) return false;
   // Beyond what is found, or outside the cone?
@@ -254,12 +277,14 @@ std::string DeviceSettings(const std::string& isa) {
 struct EmbreeScene::State {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  std::vector<RTCScene> models;
-  std::vector<RTCGeometry> instances;            // by mover, the scene's
-  std::vector<std::unique_ptr<Geometry>> owned;  // all geometries
-  std::vector<const Geometry*> geometries;       // by id in `scene`: movers', then the fixed
-  std::vector<Placement> placements;             // of the movers
-  double extent = 1.0;                           // m
+  std::vector<RTCScene> models;                   // and, last, what stands
+  std::vector<RTCGeometry> instances;             // the scene's: by mover, then what stands
+  std::vector<Placement> placements;              // of the instances
+  std::vector<std::uint32_t> masks;               // of the movers
+  std::vector<std::unique_ptr<Geometry>> owned;   // all geometries
+  std::vector<const Geometry*> mover_geometries;  // by mover
+  std::vector<const Geometry*> fixed_geometries;  // by id in what stands
+  double extent = 1.0;                            // m
 
   double rounding() const { return kRounding * extent; }
 
@@ -270,12 +295,24 @@ struct EmbreeScene::State {
     models.clear();
     instances.clear();
     owned.clear();
-    geometries.clear();
+    mover_geometries.clear();
+    fixed_geometries.clear();
     placements.clear();
+    masks.clear();
   }
 
   // Attaches a set to `into` under `id` and returns what the filter will know of it.
-  const Geometry* Attach(const TriangleSet& set, RTCScene into, unsigned id);
+  const Geometry* Attach(const TriangleSet& set, bool moves, RTCScene into, unsigned id);
+
+  // Attaches what `content` holds to the scene, under the next number.
+  void AddInstance(RTCScene content, std::uint32_t mask) {
+    const RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryMask(instance, mask);
+    rtcSetGeometryInstancedScene(instance, content);
+    rtcAttachGeometryByID(scene, instance, static_cast<unsigned>(instances.size()));
+    rtcReleaseGeometry(instance);  // the scene keeps it
+    instances.push_back(instance);
+  }
 
   void Check(const char* what) const {
     const RTCError error = rtcGetDeviceError(device);
@@ -283,10 +320,12 @@ struct EmbreeScene::State {
   }
 };
 
-const Geometry* EmbreeScene::State::Attach(const TriangleSet& set, RTCScene into, unsigned id) {
+const Geometry* EmbreeScene::State::Attach(const TriangleSet& set, bool moves, RTCScene into,
+                                           unsigned id) {
   owned.push_back(std::make_unique<Geometry>());
   Geometry& geometry = *owned.back();
   geometry.set.closed = set.closed;
+  geometry.moves = moves;
   std::vector<float> grown;
   for (std::size_t i = 0; i < set.size(); ++i) {
     const Vec3& a = set.corners[3 * i];
@@ -301,9 +340,9 @@ const Geometry* EmbreeScene::State::Attach(const TriangleSet& set, RTCScene into
     geometry.spheres.push_back(
         {centre, std::max({Length(a - centre), Length(b - centre), Length(c - centre)})});
     const double longest = std::max({Length(b - a), Length(c - b), Length(a - c)});
-    // Twice the rounding from the grown triangle's edge, as part of its height; and nothing that
-    // grazes is certain.
-    const double part = std::max(3.0 * rounding() * longest / area, 0.01);
+    // By how much it was grown and some more from the edge, as part of its height; and nothing
+    // that grazes is certain.
+    const double part = std::max(1.25 * rounding() * longest / area, 0.01);
     geometry.doubt.push_back(static_cast<float>(part * area));
     for (const Vec3& corner : {Grown(a, b, c, area, rounding()), Grown(b, c, a, area, rounding()),
                                Grown(c, a, b, area, rounding())}) {
@@ -322,6 +361,7 @@ const Geometry* EmbreeScene::State::Attach(const TriangleSet& set, RTCScene into
     std::memcpy(corners, grown.data(), grown.size() * sizeof(float));
     for (std::size_t i = 0; i < 3 * count; ++i) indexes[i] = static_cast<std::uint32_t>(i);
   }
+  rtcSetGeometryMask(made, kAllBits);
   rtcSetGeometryUserData(made, &geometry);
   rtcSetGeometryIntersectFilterFunction(made, KeepNearest);
   rtcSetGeometryOccludedFilterFunction(made, KeepAny);
@@ -348,7 +388,6 @@ void EmbreeScene::Build(const std::vector<TriangleSet>& fixed,
                         double extent) {
   State& state = *state_;
   state.Clear();
-  // The next power of two, so that a little more or less changes nothing.
   for (const auto* sets : {&fixed, &models}) {
     for (const TriangleSet& set : *sets) {
       for (const Vec3& corner : set.corners) {
@@ -356,30 +395,33 @@ void EmbreeScene::Build(const std::vector<TriangleSet>& fixed,
       }
     }
   }
-  state.extent = std::exp2(std::ceil(std::log2(std::max(extent, 1.0))));
+  state.extent = std::max(extent, 1.0);
   state.scene = rtcNewScene(state.device);
   std::vector<const Geometry*> geometry_of_model;
   for (const TriangleSet& model : models) {
     state.models.push_back(rtcNewScene(state.device));
-    geometry_of_model.push_back(state.Attach(model, state.models.back(), 0));
+    geometry_of_model.push_back(state.Attach(model, true, state.models.back(), 0));
+    rtcSetSceneBuildQuality(state.models.back(), RTC_BUILD_QUALITY_HIGH);
     rtcCommitScene(state.models.back());
   }
   for (const int model : model_of) {
-    const auto id = static_cast<unsigned>(state.instances.size());
-    const RTCGeometry instance = rtcNewGeometry(state.device, RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(instance, state.models[static_cast<std::size_t>(model)]);
-    rtcAttachGeometryByID(state.scene, instance, id);
-    rtcReleaseGeometry(instance);  // the scene keeps it
-    state.instances.push_back(instance);
-    state.geometries.push_back(geometry_of_model[static_cast<std::size_t>(model)]);
+    state.masks.push_back(state.masks.empty() ? kFirstMask : NextMask(state.masks.back()));
+    state.AddInstance(state.models[static_cast<std::size_t>(model)], state.masks.back());
+    state.mover_geometries.push_back(geometry_of_model[static_cast<std::size_t>(model)]);
   }
-  state.placements.resize(model_of.size());
-  for (std::size_t i = 0; i < model_of.size(); ++i) Place(static_cast<int>(i), {});
+  // What stands is an instance, too: Embree builds anew all that is directly in a scene in which
+  // anything moves.
+  const RTCScene standing = rtcNewScene(state.device);
+  state.models.push_back(standing);
   for (const TriangleSet& set : fixed) {
-    if (set.size() == 0) continue;
-    state.geometries.push_back(
-        state.Attach(set, state.scene, static_cast<unsigned>(state.geometries.size())));
+    const auto id = static_cast<unsigned>(state.fixed_geometries.size());
+    state.fixed_geometries.push_back(state.Attach(set, false, standing, id));
   }
+  rtcSetSceneBuildQuality(standing, RTC_BUILD_QUALITY_HIGH);
+  rtcCommitScene(standing);
+  state.AddInstance(standing, kAllBits);
+  state.placements.resize(state.instances.size());
+  for (std::size_t i = 0; i < state.instances.size(); ++i) Place(static_cast<int>(i), {});
   state.Check("cannot build the scene");
 }
 
@@ -411,13 +453,16 @@ void EmbreeScene::Trace(std::span<const Ray> rays, double range, int self,
   thread_local std::vector<RTCRayHit> stream(kStream);
   thread_local std::vector<Lane> lanes(kStream);
   const double search_on = kSearchOn * state_->extent;
+  const std::uint32_t seen = self < 0 ? kAllBits : ~state_->masks[static_cast<std::size_t>(self)];
   TraceContext context{};
   rtcInitIntersectContext(&context.embree);
-  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  // Embree's word for which of its two ways is taken: the first keeps the rays of a packet
+  // together, the other lets each go alone where a packet falls apart, as it does among many small
+  // things.
+  context.embree.flags = state_->instances.size() < kMany ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                                          : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   context.placements = state_->placements.data();
   context.lanes = lanes.data();
-  // No mover has this number.
-  context.self = self < 0 ? RTC_INVALID_GEOMETRY_ID - 1 : static_cast<std::uint32_t>(self);
   context.search_on = search_on;
   for (std::size_t done = 0; done < rays.size(); done += kStream) {
     const std::span<const Ray> part = rays.subspan(done, std::min(kStream, rays.size() - done));
@@ -434,7 +479,7 @@ void EmbreeScene::Trace(std::span<const Ray> rays, double range, int self,
                  static_cast<float>(direction.z),
                  0.0F,
                  static_cast<float>(range + search_on),
-                 0xFFFFFFFFU,
+                 seen,
                  static_cast<unsigned>(i),
                  0};
       ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -451,9 +496,10 @@ void EmbreeScene::Trace(std::span<const Ray> rays, double range, int self,
         continue;
       }
       hit.surface = SurfaceOf(*lane.geometry, lane.triangle, lane.mover);
-      hit.distance = lane.exact ? lane.distance
-                                : Distance(LocalRay(part[i], context.placements, lane.mover),
-                                           *lane.geometry, lane.triangle);
+      hit.distance =
+          lane.exact ? lane.distance
+                     : Distance(LocalRay(part[i], *lane.geometry, context.placements, lane.mover),
+                                *lane.geometry, lane.triangle);
       // Found by Embree's reckoning within the range, and a rounding error beyond it.
       if (hit.distance >= range) hit = {range, {}};
     }
@@ -480,7 +526,7 @@ bool EmbreeScene::IsBlocked(const Vec3& from, const Vec3& to) const {
                     static_cast<float>(ray.direction.z),
                     0.0F,
                     static_cast<float>(length + kSearchOn * state_->extent),
-                    0xFFFFFFFFU,
+                    kAllBits,
                     0,
                     0};
   rtcOccluded1(state_->scene, &context.embree, &embree_ray);
@@ -489,7 +535,8 @@ bool EmbreeScene::IsBlocked(const Vec3& from, const Vec3& to) const {
 
 RayHit EmbreeScene::Nearest(const Cone& cone, double range, int self) const {
   ConeQuery query{&cone,
-                  &state_->geometries,
+                  &state_->mover_geometries,
+                  &state_->fixed_geometries,
                   state_->placements.data(),
                   self < 0 ? RTC_INVALID_GEOMETRY_ID : static_cast<std::uint32_t>(self),
                   state_->rounding(),

@@ -268,6 +268,8 @@ void PlanarScanner::RasteriseEdge(Vec2 right, Vec2 left, double right_angle, dou
   const double behind = count_ + 1.0;
   const int low = static_cast<int>(std::min(behind, std::ceil(right_angle / step_)));
   const int high = static_cast<int>(std::min(behind, std::floor(left_angle / step_)));
+  // The left end may lie a little beyond the first beam, and only seem to lie before it.
+  if (left_angle > 2.0 * kPi - 2.0 * kRoughError) Cover(0, 0, right, left, a, b);
   if (left_angle >= right_angle || high - low > count_) {
     Cover(low, high, right, left, a, b);
   } else if (right_angle - left_angle > kPi) {  // the edge crosses the direction of the first beam

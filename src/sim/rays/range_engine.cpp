@@ -231,7 +231,7 @@ bool RangeEngine::PlaceRobots() const {
     const Pose2& pose = robot->pose();
     const double farthest = std::max(std::fabs(pose.x), std::fabs(pose.y)) + 1.0;
     if (farthest > triangles_->extent()) {
-      extent_ = farthest;
+      extent_ = 2.0 * farthest;
       return false;
     }
     triangles_->Place(robot->index(), {{pose.x, pose.y, 0.0}, FromEuler(0.0, 0.0, pose.yaw)});
