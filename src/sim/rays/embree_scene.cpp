@@ -16,12 +16,14 @@ constexpr std::size_t kStream = 256;  // rays a call, as measured fastest (specs
 
 constexpr std::size_t kMany = 400;  // movers, from which on incoherent rays are faster
 
-// Floats carry 24 bits. A ray's origin and direction, an instance's transformation and Embree's
-// intersection each cost some units in the last place of the largest coordinate; 64 of them are
-// several times what adds up.
-constexpr double kRounding = 0x1p-17;
-// Along the ray an error across it grows by 1 / cosine of the incidence: 64 times the rounding
-// covers all but rays that graze the surface, which are left to the double computation, too.
+// By how much triangles are made larger, as part of the scene's extent. Floats carry 24 bits; a
+// ray's origin and direction, an instance's transformation and Embree's intersection each cost some
+// units in the last place of the largest coordinate. This is 128 of them, many times what adds up,
+// as on a surface that a ray grazes the error grows by 1 / cosine of the incidence.
+constexpr double kGrowth = 0x1p-17;
+constexpr double kLeastGrowth = 2.5e-4;  // m: in small scenes more costs nothing
+// How far Embree searches on behind what it has found, likewise: along the ray an error grows in
+// the same way.
 constexpr double kSearchOn = 0x1p-12;
 
 // A ray meets an instance when their masks have a bit in common. Each mover has a mask of its own
@@ -218,7 +220,7 @@ struct ConeQuery {
   const std::vector<const Geometry*>* fixed;   // by id
   const Placement* placements;
   std::uint32_t self;
-  double rounding;
+  double growth;
   RayHit nearest;
 };
 
@@ -252,7 +254,7 @@ bool LookAtTriangle(RTCPointQueryFunctionArguments* arguments) {
     return false;
   }
   query.nearest = {distance, surface};
-  arguments->query->radius = static_cast<float>(distance + query.rounding);
+  arguments->query->radius = static_cast<float>(distance + query.growth);
   return true;
 }
 
@@ -286,7 +288,8 @@ struct EmbreeScene::State {
   std::vector<const Geometry*> fixed_geometries;  // by id in what stands
   double extent = 1.0;                            // m
 
-  double rounding() const { return kRounding * extent; }
+  // How much larger triangles are made, m.
+  double growth() const { return std::max(kGrowth * extent, kLeastGrowth); }
 
   void Clear() {
     if (scene != nullptr) rtcReleaseScene(scene);
@@ -339,16 +342,20 @@ const Geometry* EmbreeScene::State::Attach(const TriangleSet& set, bool moves, R
     const Vec3 centre = (1.0 / 3.0) * (a + b + c);
     geometry.spheres.push_back(
         {centre, std::max({Length(a - centre), Length(b - centre), Length(c - centre)})});
-    const double longest = std::max({Length(b - a), Length(c - b), Length(a - c)});
-    // By how much it was grown and some more from the edge, as part of its height; and nothing
-    // that grazes is certain.
-    const double part = std::max(1.25 * rounding() * longest / area, 0.01);
-    geometry.doubt.push_back(static_cast<float>(part * area));
-    for (const Vec3& corner : {Grown(a, b, c, area, rounding()), Grown(b, c, a, area, rounding()),
-                               Grown(c, a, b, area, rounding())}) {
+    const Vec3 grown_a = Grown(a, b, c, area, growth());
+    const Vec3 grown_b = Grown(b, c, a, area, growth());
+    const Vec3 grown_c = Grown(c, a, b, area, growth());
+    for (const Vec3& corner : {grown_a, grown_b, grown_c}) {
       grown.insert(grown.end(), {static_cast<float>(corner.x), static_cast<float>(corner.y),
                                  static_cast<float>(corner.z)});
     }
+    // By how much it was grown and some more from the grown edge, as part of the height; and
+    // nothing that grazes is certain.
+    const double longest =
+        std::max({Length(grown_b - grown_a), Length(grown_c - grown_b), Length(grown_a - grown_c)});
+    const double grown_area = Length(Cross(grown_b - grown_a, grown_c - grown_a));
+    geometry.doubt.push_back(
+        static_cast<float>(std::max(1.25 * growth() * longest, 0.01 * grown_area)));
   }
   const std::size_t count = geometry.set.size();
   const RTCGeometry made = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -539,11 +546,11 @@ RayHit EmbreeScene::Nearest(const Cone& cone, double range, int self) const {
                   &state_->fixed_geometries,
                   state_->placements.data(),
                   self < 0 ? RTC_INVALID_GEOMETRY_ID : static_cast<std::uint32_t>(self),
-                  state_->rounding(),
+                  state_->growth(),
                   {range, {}}};
   RTCPointQuery point{static_cast<float>(cone.apex.x), static_cast<float>(cone.apex.y),
                       static_cast<float>(cone.apex.z), 0.0F,
-                      static_cast<float>(range + query.rounding)};
+                      static_cast<float>(range + query.growth)};
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   rtcPointQuery(state_->scene, &point, &context, LookAtTriangle, &query);

@@ -37,7 +37,9 @@ struct Placement {
 /// a filter; there the ray's distance to the triangle, and where it passes an edge closely whether
 /// it meets it at all, are computed in double, and the nearest wins. The answer therefore does not
 /// depend on the instruction set, on the order of the triangles, nor on what Embree rounds.
-/// Rays within 1e-9 rad of an edge may pass it on either side.
+/// Rays within 1e-9 rad of an edge may pass it on either side; so may rays within 1e-5 rad of the
+/// edge of a surface that they would graze at less than 5e-3 rad (0.3 degrees), where what floats
+/// round outgrows what triangles are enlarged by.
 ///
 /// Changing it is for one thread; after Commit() any number of threads may ask.
 class EmbreeScene {

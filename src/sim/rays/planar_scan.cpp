@@ -282,14 +282,14 @@ void PlanarScanner::RasteriseEdge(Vec2 right, Vec2 left, double right_angle, dou
 }
 
 void PlanarScanner::Cover(int low, int high, Vec2 right, Vec2 left, double a, double b) {
-  low = std::max(low, 0);
-  high = std::min(high, count_ - 1);
+  low = std::clamp(low, 0, count_);
+  high = std::clamp(high, -1, count_ - 1);
   // Put right what the rough angles missed at the two ends.
-  while (low > 0 && low <= count_ && Cross(right, Direction(low - 1)) >= 0.0 &&
+  while (low > 0 && Cross(right, Direction(low - 1)) >= 0.0 &&
          Dot(right, Direction(low - 1)) > 0.0) {
     --low;
   }
-  while (high < count_ - 1 && high >= -1 && Cross(Direction(high + 1), left) >= 0.0 &&
+  while (high < count_ - 1 && Cross(Direction(high + 1), left) >= 0.0 &&
          Dot(left, Direction(high + 1)) > 0.0) {
     ++high;
   }
