@@ -22,11 +22,19 @@ struct Pose2 {
   double yaw = 0.0;
 };
 
-/// A position in space, metres; x forward, y left, z up.
+/// A position or a vector in space, metres; x forward, y left, z up.
 struct Vec3 {
   double x = 0.0;
   double y = 0.0;
   double z = 0.0;
 };
+
+constexpr Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+constexpr Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+constexpr Vec3 operator*(double s, const Vec3& v) { return {s * v.x, s * v.y, s * v.z}; }
+constexpr double Dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr Vec3 Cross(const Vec3& a, const Vec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 
 }  // namespace ccmorse

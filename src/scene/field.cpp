@@ -284,17 +284,20 @@ Vec3 ObjectReader::Vector(const std::string& key, Vec3 fallback, double limit) {
   return Has(key) ? Require(key).Vector(limit) : fallback;
 }
 
-double ObjectReader::Yaw(double fallback) {
+double ObjectReader::Angle(const std::string& key, double fallback) {
   // A few turns are harmless; a number in the thousands is a mistake in the unit.
   constexpr double kTurns = 10.0;
-  const bool in_degrees = Has("yaw_deg");
-  if (!Has("yaw")) {
-    return in_degrees ? Radians(Require("yaw_deg").Number({-360.0 * kTurns, 360.0 * kTurns}))
+  const std::string key_deg = key + "_deg";
+  const bool in_degrees = Has(key_deg);
+  if (!Has(key)) {
+    return in_degrees ? Radians(Require(key_deg).Number({-360.0 * kTurns, 360.0 * kTurns}))
                       : fallback;
   }
-  if (in_degrees)
-    Require("yaw_deg").Fail(object_.path() + " has both 'yaw' and 'yaw_deg'; keep one");
-  return Require("yaw").Number({-2.0 * kPi * kTurns, 2.0 * kPi * kTurns});
+  if (in_degrees) {
+    Require(key_deg).Fail(
+        fmt::format("{} has both '{}' and '{}'; keep one", object_.path(), key, key_deg));
+  }
+  return Require(key).Number({-2.0 * kPi * kTurns, 2.0 * kPi * kTurns});
 }
 
 void ObjectReader::Finish() const {

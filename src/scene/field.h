@@ -81,8 +81,8 @@ class ObjectReader {
                      std::span<const std::string> choices);
   Color ReadColor(const std::string& key, Color fallback);
   Vec3 Vector(const std::string& key, Vec3 fallback, double limit);
-  /// An angle, rad, given as `yaw` in radians or `yaw_deg` in degrees; both is an error.
-  double Yaw(double fallback);
+  /// An angle, rad, given as `key` in radians or `key`_deg in degrees; both is an error.
+  double Angle(const std::string& key, double fallback);
 
   const Field& field() const { return object_; }
 

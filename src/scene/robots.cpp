@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/trig.h"
 
 namespace ccmorse::scene {
 namespace {
@@ -47,6 +48,20 @@ RobotModel S1r() {
   // program for the real robot finds the global pose at 2, one for Stage at 0.
   model.proxies = {{"position2d", {{0, "pose"}, {2, "pose"}, {3, "odometry"}}},
                    {"laser", {{0, "hokuyo"}}}};
+  // The sensors sit on the narrower upper body, just outside its walls, where Stage's model of the
+  // robot leaves a gap between the two hulls, 0.06 to 0.13 m above the bottom: in its middle, and
+  // below the lowest obstacles' 0.13 m.
+  model.ring_height = bottom + 0.095;
+  model.ir = {10.0, 0.05, 0.35, 2.0};
+  model.sonar = {10.0, 0.05, 5.0, 50.0};
+  model.sonar_mounts = {{-0.020, 0.063, Radians(90.0)},
+                        {-0.020, -0.063, Radians(-90.0)},
+                        {-0.078, 0.0, Radians(180.0)}};
+  model.ir_mounts = {{0.078, 0.0335, 0.0}, {0.078, -0.0335, 0.0}};
+  model.ir_mounts.insert(model.ir_mounts.end(), model.sonar_mounts.begin(),
+                         model.sonar_mounts.end());
+  model.module_mounts = {
+      {0.039, 0.039, Radians(45.0)}, {0.055, 0.0, 0.0}, {0.039, -0.039, Radians(-45.0)}};
   return model;
 }
 

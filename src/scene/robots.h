@@ -34,6 +34,12 @@ struct RobotModel {
   double max_turn_rate = 0.0;     ///< rad/s; commands are clamped to it
   LaserDef laser;                 ///< the scanner as delivered
   ProxyTable proxies;             ///< Player indexes where the scenario gives none
+  RingDef ir;                     ///< infra-red sensors as delivered
+  RingDef sonar;                  ///< sonars as delivered
+  double ring_height = 0.0;       ///< m above the floor: where their cones begin
+  std::vector<Pose2> ir_mounts;   ///< on the robot, m and rad, front pair first, then left to rear
+  std::vector<Pose2> sonar_mounts;   ///< likewise
+  std::vector<Pose2> module_mounts;  ///< of either, on the front sensor module, from left to right
 };
 
 /// The model of a type. Throws Error that names the known types.

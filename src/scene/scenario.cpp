@@ -15,6 +15,7 @@
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "scene/field.h"
+#include "scene/mesh.h"
 #include "scene/robots.h"
 #include "scene/world_file.h"
 #include "scene/world_folders.h"
@@ -30,6 +31,8 @@ constexpr const char* kDefaultRobots = "[{}]";
 constexpr Pose2 kDefaultPose{1.20, 2.00, Radians(150.0)};
 constexpr double kFarthest = 1000.0;  // m; more is a mistake in the unit
 constexpr int kMostSamples = 10000;
+constexpr int kMostLayers = 128;
+constexpr int kMostBeams = 100000;  // of all layers
 constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max();
 
 // Player's interfaces and what of a robot can serve them (thesis 4.1.2).
@@ -134,6 +137,35 @@ int CountBeams(double window_deg, double resolution_deg) {
   return beams;
 }
 
+// What MORSE's builder makes of its LaserScanner (specs: morse.md B.2, H.4); the count of beams
+// follows from the other numbers.
+LaserDef MorseLaser(double range, double window_deg, double resolution_deg) {
+  LaserDef laser;
+  laser.range = range;
+  laser.scan_window_deg = window_deg;
+  laser.resolution_deg = resolution_deg;
+  laser.samples = CountBeams(window_deg, resolution_deg);
+  return laser;
+}
+
+LaserDef LaserPreset(const std::string& name) {
+  if (name == "urg04lx") return Urg04lx();
+  if (name == "hokuyo") return MorseLaser(30.0, 270.0, 0.25);
+  if (name == "sick") return MorseLaser(30.0, 180.0, 1.0);
+  if (name == "infrared") {
+    LaserDef laser = MorseLaser(2.0, 20.0, 1.0);
+    laser.visible_arc = true;
+    return laser;
+  }
+  if (name == "sick_ldmrs") {
+    LaserDef laser = MorseLaser(30.0, 100.0, 0.25);
+    laser.frequency = 4.0;
+    laser.layers = 4;
+    return laser;
+  }
+  return LaserDef{};
+}
+
 // Completes what a file says of window, resolution and number of beams.
 void ReadBeams(ObjectReader& reader, LaserDef& laser) {
   const bool has_window = reader.Has("scan_window_deg");
@@ -168,22 +200,73 @@ void ReadBeams(ObjectReader& reader, LaserDef& laser) {
 }
 
 LaserDef ReadLaser(const Field& field, const LaserDef& delivered) {
-  static const std::vector<std::string> presets = {"thesis", "urg04lx"};
+  static const std::vector<std::string> presets = {"thesis", "urg04lx",    "hokuyo",
+                                                   "sick",   "sick_ldmrs", "infrared"};
   ObjectReader reader(field);
   LaserDef laser = delivered;
-  if (reader.Has("preset")) {
-    laser = reader.Choice("preset", "", presets) == "thesis" ? LaserDef{} : Urg04lx();
-  }
+  if (reader.Has("preset")) laser = LaserPreset(reader.Choice("preset", "", presets));
   laser.position = reader.Vector("position", laser.position, kFarthest);
-  laser.yaw = reader.Yaw(laser.yaw);
+  laser.roll = reader.Angle("roll", laser.roll);
+  laser.pitch = reader.Angle("pitch", laser.pitch);
+  laser.yaw = reader.Angle("yaw", laser.yaw);
   laser.frequency = reader.Number("frequency", laser.frequency, {0.0, 1000.0, true});
   laser.range = reader.Number("range", laser.range, {0.0, kFarthest, true});
   laser.range_std = reader.Number("range_std", laser.range_std, {0.0, kFarthest});
-  laser.layer_offset = reader.Number("layer_offset", laser.layer_offset, {-kFarthest, kFarthest});
+  laser.layers = reader.Integer("layers", laser.layers, 1, kMostLayers);
+  laser.layer_separation =
+      reader.Number("layer_separation", laser.layer_separation, {-180.0, 180.0});
+  laser.layer_offset = reader.Number("layer_offset", laser.layer_offset, {-360.0, 360.0});
   laser.visible_arc = reader.Bool("visible_arc", laser.visible_arc);
   ReadBeams(reader, laser);
   reader.Finish();
+  if (laser.layers * laser.samples > kMostBeams) {
+    field.FailHere(fmt::format("has {} layers of {} beams, {} in all, must be at most {}",
+                               laser.layers, laser.samples, laser.layers * laser.samples,
+                               kMostBeams));
+  }
   return laser;
+}
+
+// true for the ring as delivered, false for none, an object for one with settings of its own.
+std::optional<RingDef> ReadRing(const Field& field, const RingDef& delivered) {
+  if (field.value().IsBool()) {
+    return field.value().AsBool() ? std::optional(delivered) : std::nullopt;
+  }
+  if (!field.value().IsObject()) {
+    field.FailHere(
+        fmt::format("must be true, false or an object {{...}}, not {}", field.value().TypeName()));
+  }
+  ObjectReader reader(field);
+  RingDef ring = delivered;
+  ring.frequency = reader.Number("frequency", ring.frequency, {0.0, 1000.0, true});
+  ring.range = reader.Number("range", ring.range, {0.0, kFarthest, true});
+  ring.min_range =
+      reader.Number("min_range", std::min(ring.min_range, ring.range / 2.0), {0.0, kFarthest});
+  ring.cone_deg = reader.Number("cone_deg", ring.cone_deg, {0.0, 170.0, true});
+  reader.Finish();
+  if (ring.min_range >= ring.range) {
+    field.FailHere(fmt::format("has a min_range of {} m, must be less than its range of {} m",
+                               ring.min_range, ring.range));
+  }
+  return ring;
+}
+
+// With the sensor module in its front bay a robot has no laser to talk of.
+void CheckModule(ObjectReader& reader, const RobotDef& robot) {
+  if (robot.front == "laser") return;
+  const Field front = reader.Require("front");
+  if (reader.Has("laser")) {
+    reader.Require("laser").FailHere(
+        "belongs to a robot with \"front\": \"laser\"; remove one of them");
+  }
+  const auto table = robot.proxies.find("laser");
+  if (table != robot.proxies.end() && !table->second.empty()) {
+    reader.Require("proxies").FailHere(
+        "name the 'hokuyo', which this robot's front sensor module has taken the place of");
+  }
+  if (!robot.ir && !robot.sonar) {
+    front.FailHere("is the sensor module, so add \"ir\": true, \"sonar\": true or both");
+  }
 }
 
 void ReadProxies(const Field& field, ProxyTable& proxies) {
@@ -256,10 +339,16 @@ RobotDef ReadRobot(const Field& field, std::size_t number) {
   robot.laser = model.laser;
   robot.pose = reader.Has("pose") ? ReadPose(reader.Require("pose")) : kDefaultPose;
   robot.color = reader.ReadColor("color", robot.color);
+  static const std::vector<std::string> fronts = {"laser", "sensors"};
+  robot.front = reader.Choice("front", robot.front, fronts);
+  if (robot.front == "sensors") robot.proxies.erase("laser");
+  if (reader.Has("ir")) robot.ir = ReadRing(reader.Require("ir"), model.ir);
+  if (reader.Has("sonar")) robot.sonar = ReadRing(reader.Require("sonar"), model.sonar);
   if (reader.Has("proxies")) ReadProxies(reader.Require("proxies"), robot.proxies);
   if (reader.Has("drivers")) ReadDrivers(reader.Require("drivers"), robot.drivers);
   if (reader.Has("laser")) robot.laser = ReadLaser(reader.Require("laser"), robot.laser);
   if (reader.Has("pose_noise")) robot.pose_noise = ReadPoseNoise(reader.Require("pose_noise"));
+  CheckModule(reader, robot);
   reader.Finish();
   return robot;
 }
@@ -272,8 +361,33 @@ std::vector<Vec2> Outline(const RobotDef& robot) {
   return outline;
 }
 
-// Throws unless the robot stands on the floor, clear of boxes and of the robots before it.
-void CheckPlace(const Scenario& scenario, std::size_t index, const Field& field) {
+// A piece of a mesh that a robot could stand in.
+struct MeshPart {
+  const Mesh* mesh;
+  std::vector<Vec2> outline;
+  Vec2 low;  // its bounding box, m
+  Vec2 high;
+};
+
+std::vector<MeshPart> PartsOfMeshes(const World& world) {
+  std::vector<MeshPart> parts;
+  for (const Mesh& mesh : world.meshes) {
+    for (std::vector<Vec2>& outline : MeshOutlines(mesh)) {
+      Vec2 low = outline[0];
+      Vec2 high = outline[0];
+      for (const Vec2 corner : outline) {
+        low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
+        high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
+      }
+      parts.push_back({&mesh, std::move(outline), low, high});
+    }
+  }
+  return parts;
+}
+
+// Throws unless the robot stands on the floor, clear of boxes, meshes and of the robots before it.
+void CheckPlace(const Scenario& scenario, const std::vector<MeshPart>& mesh_parts,
+                std::size_t index, const Field& field) {
   const RobotDef& robot = scenario.robots[index];
   const std::string who =
       fmt::format("robot '{}' at ({}, {})", robot.name, robot.pose.x, robot.pose.y);
@@ -292,6 +406,22 @@ void CheckPlace(const Scenario& scenario, std::size_t index, const Field& field)
                              box.dynamic ? " or lower the box" : ""));
     }
   }
+  double reach = 0.0;
+  for (const Vec2 corner : outline) {
+    reach =
+        std::max({reach, std::fabs(corner.x - robot.pose.x), std::fabs(corner.y - robot.pose.y)});
+  }
+  for (const MeshPart& part : mesh_parts) {
+    if (robot.pose.x + reach < part.low.x || robot.pose.x - reach > part.high.x ||
+        robot.pose.y + reach < part.low.y || robot.pose.y - reach > part.high.y) {
+      continue;
+    }
+    if (ConvexOverlap(outline, part.outline)) {
+      const Mesh& mesh = *part.mesh;
+      field.Fail(fmt::format("{} overlaps mesh {}{}; move it", who, mesh.id,
+                             mesh.name.empty() ? "" : " (" + mesh.name + ")"));
+    }
+  }
   for (std::size_t i = 0; i < index; ++i) {
     const RobotDef& other = scenario.robots[i];
     if (ConvexOverlap(outline, Outline(other))) {
@@ -303,6 +433,7 @@ void CheckPlace(const Scenario& scenario, std::size_t index, const Field& field)
 
 void ReadRobots(const Field& field, Scenario& scenario) {
   const std::vector<Field> items = field.Items();
+  const std::vector<MeshPart> mesh_parts = PartsOfMeshes(scenario.world);
   for (std::size_t i = 0; i < items.size(); ++i) {
     RobotDef robot = ReadRobot(items[i], i);
     for (std::size_t k = 0; k < i; ++k) {
@@ -313,7 +444,7 @@ void ReadRobots(const Field& field, Scenario& scenario) {
                       robot.name, items[k].line()));
     }
     scenario.robots.push_back(std::move(robot));
-    CheckPlace(scenario, i, items[i]);
+    CheckPlace(scenario, mesh_parts, i, items[i]);
   }
 }
 
@@ -387,15 +518,26 @@ Scenario ReadScenario(const Json& json, const std::string& file) {
 
 Json LaserToJson(const LaserDef& laser) {
   return Json::Object{{"position", VectorToJson(laser.position)},
+                      {"roll", laser.roll},
+                      {"pitch", laser.pitch},
                       {"yaw", laser.yaw},
                       {"frequency", laser.frequency},
                       {"scan_window_deg", laser.scan_window_deg},
                       {"resolution_deg", laser.resolution_deg},
                       {"range", laser.range},
                       {"range_std", laser.range_std},
+                      {"layers", laser.layers},
+                      {"layer_separation", laser.layer_separation},
                       {"layer_offset", laser.layer_offset},
                       {"visible_arc", laser.visible_arc},
                       {"samples", laser.samples}};
+}
+
+Json RingToJson(const RingDef& ring) {
+  return Json::Object{{"frequency", ring.frequency},
+                      {"min_range", ring.min_range},
+                      {"range", ring.range},
+                      {"cone_deg", ring.cone_deg}};
 }
 
 Json RobotToJson(const RobotDef& robot) {
@@ -407,15 +549,19 @@ Json RobotToJson(const RobotDef& robot) {
   }
   Json::Object drivers;
   for (const auto& [name, settings] : robot.drivers) drivers.emplace_back(name, settings);
-  return Json::Object{{"name", robot.name},
-                      {"type", robot.type},
-                      {"pose", PoseToJson(robot.pose)},
-                      {"color", ColorText(robot.color)},
-                      {"proxies", std::move(proxies)},
-                      {"drivers", std::move(drivers)},
-                      {"laser", LaserToJson(robot.laser)},
-                      {"pose_noise", Json::Object{{"pos_std", robot.pose_noise.pos_std},
-                                                  {"rot_std", robot.pose_noise.rot_std}}}};
+  Json::Object object = {{"name", robot.name},
+                         {"type", robot.type},
+                         {"pose", PoseToJson(robot.pose)},
+                         {"color", ColorText(robot.color)},
+                         {"proxies", std::move(proxies)},
+                         {"drivers", std::move(drivers)},
+                         {"pose_noise", Json::Object{{"pos_std", robot.pose_noise.pos_std},
+                                                     {"rot_std", robot.pose_noise.rot_std}}},
+                         {"front", robot.front}};
+  if (robot.front == "laser") object.emplace_back("laser", LaserToJson(robot.laser));
+  if (robot.ir) object.emplace_back("ir", RingToJson(*robot.ir));
+  if (robot.sonar) object.emplace_back("sonar", RingToJson(*robot.sonar));
+  return object;
 }
 
 }  // namespace

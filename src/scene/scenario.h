@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,18 @@ struct Box {
   bool raised = true;    ///< stands in the world; always true for what is not dynamic
 };
 
+/// A body of triangles, standing or hanging anywhere (design: Rays). Seen from both sides; robots
+/// run into what of it lies at their height (mesh.h).
+struct Mesh {
+  int id = 0;                                 ///< unique among the world's boxes and meshes, from 1
+  std::string name;                           ///< for people; "" where none is given
+  std::vector<Vec3> vertices;                 ///< m, in the mesh's own frame
+  std::vector<std::array<int, 3>> triangles;  ///< indexes of vertices; each has an area
+  Vec3 position;                              ///< m, of the mesh's origin in the world
+  Vec3 rotation;                              ///< roll, pitch, yaw, rad: Rz(yaw) Ry(pitch) Rx(roll)
+  Color color{160, 160, 160};                 ///< what a viewer shows
+};
+
 /// A lamp of the world (thesis 4.1.1, W07); only views use it.
 struct Light {
   std::string kind;      ///< "sun" or "spot"
@@ -41,28 +54,43 @@ struct World {
   double size_y = 0.0;  ///< m, > 0
   Color floor{255, 255, 255};
   std::vector<Box> boxes;    ///< in order of id
+  std::vector<Mesh> meshes;  ///< in order of id
   std::vector<Pose2> docks;  ///< parking places, m and rad: in the bay, facing out of it
   std::vector<Light> lights;
 };
 
-/// A planar laser scanner with MORSE's parameters (specs: morse.md H.4; thesis 4.1.2).
+/// A laser scanner with MORSE's parameters (specs: morse.md H.4; thesis 4.1.2).
 /// Where a file gives window or resolution but no samples, MORSE's rule counts the beams: from
 /// -window/2 in steps of the resolution while not beyond +window/2. The thesis's 270 deg / 0.39589
 /// would be 683 by that rule, but the thesis and its program say 682, so the default says it, too.
 /// Samples without resolution spread from edge to edge of the window; samples and resolution
 /// without a window make their own, around straight ahead.
-/// "preset": "urg04lx" in a file stands for the device as sold: 682 beams of 360/1024 deg, 5.6 m.
+/// "preset": "urg04lx" in a file stands for the device as sold: 682 beams of 360/1024 deg, 5.6 m;
+/// "hokuyo", "sick", "sick_ldmrs" and "infrared" for MORSE's scanners of these names.
 struct LaserDef {
   Vec3 position{0.035, 0.0, 0.0};   ///< on the robot, m; z from the robot's origin
+  double roll = 0.0;                ///< on the robot, rad
+  double pitch = 0.0;               ///< on the robot, rad; positive looks down
   double yaw = 0.0;                 ///< on the robot, rad
   double frequency = 10.0;          ///< Hz, > 0
   double scan_window_deg = 270.0;   ///< degrees, (0, 360]
   double resolution_deg = 0.39589;  ///< degrees from beam to beam, > 0
   double range = 5.0;               ///< m, > 0; what a beam without a hit returns
   double range_std = 0.0;           ///< m, >= 0: standard deviation of a hit's noise
-  double layer_offset = 0.125;      ///< m; kept for MORSE's configuration, no effect with one layer
-  bool visible_arc = false;         ///< drawn by a viewer
-  int samples = 682;                ///< beams, 2..10000; first at -window/2, counter-clockwise
+  int layers = 1;                   ///< fans above each other, 1..128; samples counts one of them
+  double layer_separation = 0.8;    ///< degrees from layer to layer, around the level
+  double layer_offset = 0.125;  ///< degrees that layers 0, 2, ... are turned left; not a lone one
+  bool visible_arc = false;     ///< drawn by a viewer
+  int samples = 682;            ///< beams, 2..10000; first at -window/2, counter-clockwise
+};
+
+/// A ring of range sensors around a robot, infra-red or sonar: each gives the distance to the
+/// nearest thing in its cone (specs: syrotek.md A).
+struct RingDef {
+  double frequency = 10.0;  ///< Hz, > 0
+  double min_range = 0.05;  ///< m, >= 0: what anything nearer returns
+  double range = 5.0;       ///< m, > min_range: what a sensor returns that sees nothing
+  double cone_deg = 50.0;   ///< degrees, full opening angle of the cone, (0, 170]
 };
 
 /// The noise of a robot's pose sensor, with the names of MORSE's PoseNoise modifier (specs:
@@ -87,7 +115,12 @@ struct RobotDef {
   Color color{60, 110, 190};
   ProxyTable proxies;                   ///< defaults of the type where not given
   std::map<std::string, Json> drivers;  ///< driver name ("snd") -> object of its settings, as given
-  LaserDef laser;
+  /// What its front bay holds: "laser", or "sensors", the module with three more infra-red sensors
+  /// and sonars in the laser's place (thesis 2.1; specs: syrotek.md A).
+  std::string front = "laser";
+  LaserDef laser;                ///< mounted where front is "laser"
+  std::optional<RingDef> ir;     ///< mounted where given
+  std::optional<RingDef> sonar;  ///< mounted where given
   PoseNoiseDef pose_noise;
 };
 

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/trig.h"
 
 namespace ccmorse::scene {
 namespace {
@@ -78,7 +79,7 @@ Box ReadBox(const Field& field, const std::map<std::string, Look>& kinds) {
   box.raised = look.raised;
   box.pose.x = reader.Require("x").Number(kCoordinate);
   box.pose.y = reader.Require("y").Number(kCoordinate);
-  box.pose.yaw = reader.Yaw(0.0);
+  box.pose.yaw = reader.Angle("yaw", 0.0);
   const Field size = reader.Require("size");
   const std::vector<Field> sides = size.Items();
   if (sides.size() != 2) size.FailHere(fmt::format("has {} numbers, must be [x, y]", sides.size()));
@@ -102,6 +103,84 @@ std::vector<Box> ReadBoxes(const Field& field, const std::map<std::string, Look>
   }
   std::sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.id < b.id; });
   return boxes;
+}
+
+std::array<int, 3> ReadTriangle(const Field& field, const std::vector<Vec3>& vertices) {
+  const std::vector<Field> items = field.Items();
+  if (items.size() != 3) {
+    field.FailHere(fmt::format("has {} numbers, must be the indexes of 3 vertices", items.size()));
+  }
+  const auto last = static_cast<std::int64_t>(vertices.size()) - 1;
+  std::array<int, 3> triangle{};
+  for (std::size_t i = 0; i < 3; ++i) triangle[i] = static_cast<int>(items[i].Integer(0, last));
+  const auto corner = [&](std::size_t i) {
+    return vertices[static_cast<std::size_t>(triangle[i])];
+  };
+  const Vec3 normal = Cross(corner(1) - corner(0), corner(2) - corner(0));
+  if (!(Dot(normal, normal) > 0.0)) {
+    field.FailHere(fmt::format("joins vertices {}, {} and {}, which lie on one line; remove it",
+                               triangle[0], triangle[1], triangle[2]));
+  }
+  return triangle;
+}
+
+Mesh ReadMesh(const Field& field) {
+  ObjectReader reader(field);
+  Mesh mesh;
+  mesh.id = static_cast<int>(reader.Require("id").Integer(1, 1000000));
+  if (reader.Has("name")) mesh.name = reader.Require("name").Identifier();
+  const Field vertices = reader.Require("vertices");
+  for (const Field& vertex : vertices.Items()) {
+    mesh.vertices.push_back(vertex.Vector(kLargestSize));
+  }
+  if (mesh.vertices.size() < 3) {
+    vertices.FailHere(fmt::format("has {} vertices, must have 3 or more", mesh.vertices.size()));
+  }
+  const Field triangles = reader.Require("triangles");
+  for (const Field& triangle : triangles.Items()) {
+    mesh.triangles.push_back(ReadTriangle(triangle, mesh.vertices));
+  }
+  if (mesh.triangles.empty()) triangles.FailHere("is empty, must have a triangle or more");
+  mesh.position = reader.Vector("position", mesh.position, kLargestSize);
+  mesh.rotation = reader.Vector("rotation", mesh.rotation, 20.0 * kPi);
+  mesh.color = reader.ReadColor("color", mesh.color);
+  reader.Finish();
+  return mesh;
+}
+
+std::vector<Mesh> ReadMeshes(const Field& field, const std::vector<Box>& boxes) {
+  std::vector<Mesh> meshes;
+  std::map<int, int> line_of_id;
+  for (const Field& item : field.Items()) {
+    Mesh mesh = ReadMesh(item);
+    const auto [other, is_new] = line_of_id.emplace(mesh.id, item.line());
+    if (!is_new) {
+      item.FailHere(fmt::format("has id {}, as has the mesh on line {}; ids must be unique",
+                                mesh.id, other->second));
+    }
+    if (std::any_of(boxes.begin(), boxes.end(),
+                    [&mesh](const Box& box) { return box.id == mesh.id; })) {
+      item.FailHere(fmt::format("has id {}, as has a box; ids must be unique", mesh.id));
+    }
+    meshes.push_back(std::move(mesh));
+  }
+  std::sort(meshes.begin(), meshes.end(), [](const Mesh& a, const Mesh& b) { return a.id < b.id; });
+  return meshes;
+}
+
+Json MeshToJson(const Mesh& mesh) {
+  Json::Array vertices;
+  for (const Vec3& vertex : mesh.vertices) vertices.push_back(VectorToJson(vertex));
+  Json::Array triangles;
+  for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(Json::Array{a, b, c});
+  Json::Object object = {{"id", mesh.id}};
+  if (!mesh.name.empty()) object.emplace_back("name", mesh.name);
+  object.insert(object.end(), {{"vertices", std::move(vertices)},
+                               {"triangles", std::move(triangles)},
+                               {"position", VectorToJson(mesh.position)},
+                               {"rotation", VectorToJson(mesh.rotation)},
+                               {"color", ColorText(mesh.color)}});
+  return object;
 }
 
 Light ReadLight(const Field& field) {
@@ -131,6 +210,9 @@ World ReadWorld(const Field& field) {
   std::map<std::string, Look> kinds;
   if (reader.Has("kinds")) kinds = ReadKinds(reader.Require("kinds"));
   if (reader.Has("boxes")) world.boxes = ReadBoxes(reader.Require("boxes"), kinds);
+  if (reader.Has("meshes")) {
+    world.meshes = ReadMeshes(reader.Require("meshes"), world.boxes);
+  }
   if (reader.Has("docks")) {
     for (const Field& dock : reader.Require("docks").Items()) world.docks.push_back(ReadPose(dock));
   }
@@ -167,6 +249,8 @@ Json WorldToJson(const World& world) {
     }
     boxes.emplace_back(std::move(object));
   }
+  Json::Array meshes;
+  for (const Mesh& mesh : world.meshes) meshes.push_back(MeshToJson(mesh));
   Json::Array docks;
   for (const Pose2& dock : world.docks) docks.push_back(PoseToJson(dock));
   Json::Array lights;
@@ -180,6 +264,7 @@ Json WorldToJson(const World& world) {
                       {"size", Json::Array{world.size_x, world.size_y}},
                       {"floor", ColorText(world.floor)},
                       {"boxes", std::move(boxes)},
+                      {"meshes", std::move(meshes)},
                       {"docks", std::move(docks)},
                       {"lights", std::move(lights)}};
 }
@@ -189,7 +274,7 @@ Pose2 ReadPose(const Field& field) {
   Pose2 pose;
   pose.x = reader.Require("x").Number(kCoordinate);
   pose.y = reader.Require("y").Number(kCoordinate);
-  pose.yaw = reader.Yaw(0.0);
+  pose.yaw = reader.Angle("yaw", 0.0);
   reader.Finish();
   return pose;
 }

@@ -5,9 +5,9 @@
 
 namespace ccmorse::scene {
 
-/// Reads a world in full: name, size [x, y], floor, kinds, boxes, docks, lights. `kinds` gives the
-/// boxes of each kind their height, colour and mobility, which a single box may override; without
-/// `kinds` every box says all of it. Throws Error.
+/// Reads a world in full: name, size [x, y], floor, kinds, boxes, meshes, docks, lights. `kinds`
+/// gives the boxes of each kind their height, colour and mobility, which a single box may override;
+/// without `kinds` every box says all of it. Throws Error.
 World ReadWorld(const Field& field);
 
 /// Reads the world file at `path`. Throws Error that names it.

@@ -5,11 +5,33 @@
 
 #include "base/error.h"
 #include "base/polygon.h"
+#include "scene/mesh.h"
+#include "sim/rays/range_engine.h"
 #include "sim/robots/robot.h"
 
 namespace ccmorse::sim {
 
-World::World(scene::World scene) : scene_(std::move(scene)) { CollectObstacles(); }
+World::World(scene::World scene) : scene_(std::move(scene)) {
+  for (const scene::Mesh& mesh : scene_.meshes) {
+    for (std::vector<Vec2>& outline : scene::MeshOutlines(mesh)) {
+      mesh_obstacles_.push_back(Obstacle::Make(std::move(outline), mesh.id));
+    }
+  }
+  CollectObstacles();
+  rays_ = std::make_unique<RangeEngine>(*this);
+}
+
+World::~World() = default;
+
+void World::SetRobots(std::vector<const Robot*> robots) {
+  robots_ = std::move(robots);
+  ++revision_;
+  RobotsMoved();
+}
+
+bool World::LineOfSight(const Vec3& from, const Vec3& to) const {
+  return rays_->LineOfSight(from, to);
+}
 
 void World::CollectObstacles() {
   obstacles_.clear();
@@ -18,6 +40,7 @@ void World::CollectObstacles() {
     const auto corners = BoxCorners(box.pose, box.size_x, box.size_y);
     obstacles_.push_back(Obstacle::Make({corners.begin(), corners.end()}, box.id));
   }
+  obstacles_.insert(obstacles_.end(), mesh_obstacles_.begin(), mesh_obstacles_.end());
   std::vector<Circle> circles;
   for (const Obstacle& obstacle : obstacles_) circles.push_back({obstacle.centre, obstacle.radius});
   obstacle_grid_.Build(circles);

@@ -14,20 +14,24 @@
 
 namespace ccmorse::sim {
 
+class RangeEngine;
 class Robot;
 
-/// What robots see and run into: the scene's boxes that stand, and the robots. Several
+/// What robots see and run into: the scene's boxes that stand, its meshes, and the robots. Several
 /// threads may look at it while none changes it.
 class World {
  public:
   explicit World(scene::World scene);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
 
   const scene::World& scene() const { return scene_; }
 
   /// Raises or lowers a dynamic box, by id. Throws Error on an unknown id or one that cannot move.
   void SetRaised(int box_id, bool raised);
 
-  /// The boxes that stand, as obstacles to motion.
+  /// The boxes that stand, and what of meshes is in the way, as obstacles to motion.
   std::span<const Obstacle> obstacles() const { return obstacles_; }
 
   /// Appends those that come within `reach` (m) of `point`. They are valid for one revision().
@@ -36,8 +40,18 @@ class World {
                            [&](std::uint32_t index) { found.push_back(&obstacles_[index]); });
   }
 
-  /// Changes whenever a box rises or goes down.
+  /// Changes whenever a box rises or goes down, or other robots are set.
   std::uint64_t revision() const { return revision_; }
+
+  /// Changes whenever anything does that can be seen.
+  std::uint64_t version() const { return revision_ + moves_; }
+
+  /// Answers every question about distances.
+  const RangeEngine& rays() const { return *rays_; }
+  RangeEngine& rays() { return *rays_; }
+
+  /// Is the straight way from one point to the other (m) free of boxes, meshes, robots and floor?
+  bool LineOfSight(const Vec3& from, const Vec3& to) const;
 
   /// To be called before BoxesAt() and RobotsAt() at a height (m above the floor) by several
   /// threads.
@@ -52,10 +66,14 @@ class World {
   const PlanarWorld& RobotsAt(double height) const;
 
   /// Sets whose hulls RobotsAt() shows. The robots outlive the world's use of them.
-  void SetRobots(std::vector<const Robot*> robots) { robots_ = std::move(robots); }
+  void SetRobots(std::vector<const Robot*> robots);
+  std::span<const Robot* const> robots() const { return robots_; }
 
   /// Robots have moved: cuts made before are stale.
-  void RobotsMoved() { robots_moved_ = true; }
+  void RobotsMoved() {
+    robots_moved_ = true;
+    ++moves_;
+  }
 
   /// Distance in the plane along a ray from `from` in the unit direction `direction` at `height` to
   /// the first box or robot but `self`, and which robot (-1: a box); range if there is none. m.
@@ -77,12 +95,15 @@ class World {
   scene::World scene_;
   std::vector<Obstacle> obstacles_;
   SpatialGrid obstacle_grid_;  // of obstacles_
+  std::vector<Obstacle> mesh_obstacles_;
   std::uint64_t revision_ = 0;
+  std::uint64_t moves_ = 0;  // of robots, so far
   std::vector<const Robot*> robots_;
   mutable std::vector<std::unique_ptr<Cut>> cuts_;  // a handful: one a height that scanners have
   mutable std::atomic<bool> robots_moved_ = true;
   mutable std::mutex cutting_;      // whoever makes the cuts of the robots anew
   mutable std::vector<Vec2> hull_;  // scratch of it
+  std::unique_ptr<RangeEngine> rays_;
 };
 
 }  // namespace ccmorse::sim

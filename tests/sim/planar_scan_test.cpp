@@ -213,6 +213,38 @@ TEST(PlanarScan, EveryInstructionSetGivesTheSameBits) {
   }
 }
 
+// Angles are looked up roughly, to 1e-6 rad; with steps finer than that, or at the seam of a full
+// turn, the exact part of the work has to make up for it.
+TEST(PlanarScan, EdgesNearTheEndsOfAFanCoverTheRightBeams) {
+  const std::uint64_t seed = std::random_device{}();
+  std::cout << "random seed " << seed << "\n";
+  std::mt19937_64 random(seed);
+  const auto uniform = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  int wrong = 0;
+  for (int scene = 0; scene < 3000; ++scene) {
+    // A box with a corner within a few rough errors of the first or the last beam.
+    const int count = static_cast<int>(uniform(2, 60));
+    const double step = scene % 3 == 0 ? 2 * kPi / count : std::pow(10.0, uniform(-9, -3));
+    const double first = scene % 3 == 0 ? -kPi : uniform(-kPi, kPi - 0.1);
+    const double end = scene % 2 == 0 ? first : first + (count - 1) * step;
+    const double angle = end + uniform(-1, 1) * std::pow(10.0, uniform(-8, -3));
+    const double distance = uniform(0.5, 2.0);
+    PlanarWorld fixed;
+    const Vec2 corner{distance * std::cos(angle), distance * std::sin(angle)};
+    const double turn = uniform(-4, 4);
+    const double side = uniform(1e-5, 0.4);
+    const Vec2 middle = Transform({corner.x, corner.y, turn}, {side, side});
+    fixed.Add(BoxCorners({middle.x, middle.y, turn}, 2 * side, 2 * side));
+    if (Contains(fixed.Corners(fixed.outlines()[0]), {0, 0})) continue;
+    fixed.Finish();
+    PlanarScanner scanner(count, first, step, 4.0);
+    wrong += Mismatches(scanner, first, step, {}, fixed, {}, -1);
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
 TEST(PlanarScan, ItsOwnRobotIsInvisible) {
   PlanarWorld moving;
   moving.Add(BoxCorners({1.0, 0.0, 0.0}, 0.2, 0.2), 5);

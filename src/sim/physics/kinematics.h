@@ -16,7 +16,7 @@ struct Obstacle {
   std::vector<Vec2> outline;  ///< m, world frame, counter-clockwise
   Vec2 centre;                ///< m
   double radius = 0.0;        ///< m
-  int box_id = 0;             ///< of the scene's box, 0 for a robot
+  int box_id = 0;             ///< of the scene's box or mesh, 0 for a robot
 
   static Obstacle Make(std::vector<Vec2> outline, int box_id);
   /// Moves the outline of a footprint to `pose`, in the memory it has.

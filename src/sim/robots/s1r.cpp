@@ -9,6 +9,7 @@
 #include "sim/sensors/laser_scanner.h"
 #include "sim/sensors/odometry.h"
 #include "sim/sensors/pose.h"
+#include "sim/sensors/range_ring.h"
 #include "sim/sensors/robot_properties.h"
 
 namespace ccmorse::sim {
@@ -16,8 +17,12 @@ namespace ccmorse::sim {
 void EquipS1R(Robot& robot, const scene::Scenario& scenario, const World& world, Canvas& canvas) {
   robot.Add(std::make_unique<PoseSensor>(robot, "pose", scenario.seed));
   robot.Add(std::make_unique<OdometrySensor>(robot, "odometry"));
-  robot.Add(
-      std::make_unique<LaserScanner>(robot, "hokuyo", robot.def().laser, world, scenario.seed));
+  const scene::RobotDef& def = robot.def();
+  if (def.front == "laser") {
+    robot.Add(std::make_unique<LaserScanner>(robot, "hokuyo", def.laser, world, scenario.seed));
+  }
+  if (def.ir) robot.Add(MakeInfraredRing(robot, world));
+  if (def.sonar) robot.Add(MakeSonarRing(robot, world));
   robot.Add(std::make_unique<RobotProperties>(robot, "properties", scenario));
   robot.Add(std::make_unique<MotionVW>(robot, "motion"));
   robot.Add(std::make_unique<Waypoint>(robot, "waypoint"));

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/polygon.h"
-#include "base/trig.h"
+#include "sim/rays/range_engine.h"
 #include "sim/robots/robot.h"
 #include "sim/world.h"
 
@@ -15,20 +14,14 @@ LaserScanner::LaserScanner(Robot& robot, const std::string& name, const scene::L
     : Sensor(robot, name, "LaserScanner", def.frequency),
       def_(def),
       world_(world),
-      scanner_(def.samples, -Radians(def.scan_window_deg) / 2.0, Radians(def.resolution_deg),
-               def.range),
+      fan_(def),
       noise_(seed, full_name()),
-      ranges_(static_cast<std::size_t>(def.samples), def.range) {
-  world_.PrepareCut(Height());
+      ranges_(fan_.count(), def.range) {
+  if (fan_.upright()) world_.PrepareCut(robot.model().origin_height + def.position.z);
 }
 
-double LaserScanner::Height() const { return robot().model().origin_height + def_.position.z; }
-
 void LaserScanner::Sample(const Instant& now) {
-  const Pose2& base = robot().pose();
-  const Vec2 at = Transform(base, {def_.position.x, def_.position.y});
-  scanner_.Scan({at.x, at.y, base.yaw + def_.yaw}, world_.BoxesAt(Height()),
-                world_.RobotsAt(Height()), robot().index(), ranges_);
+  world_.rays().Scan(fan_, robot().pose(), robot().model().origin_height, robot().index(), ranges_);
   if (def_.range_std > 0.0) AddNoise(now.tick);
   DataChanged(now.time);
 }
@@ -58,8 +51,8 @@ Json LaserScanner::Configurations() const {
                            {"resolution", def_.resolution_deg},
                            {"scan_window", def_.scan_window_deg},
                            {"Visible_arc", def_.visible_arc},
-                           {"layers", 1},
-                           {"layer_separation", 0.8},
+                           {"layers", def_.layers},
+                           {"layer_separation", def_.layer_separation},
                            {"layer_offset", def_.layer_offset},
                            {"frequency", def_.frequency}});
 }
@@ -73,11 +66,13 @@ void LaserScanner::AppendFields(std::string& out) const {
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     out += i == 0 ? "[" : ", [";
     const bool hit = ranges_[i] < def_.range;
-    const Vec2 point = (hit ? ranges_[i] : 0.0) * scanner_.Direction(static_cast<int>(i));
-    AppendJson(out, hit ? point.x : 0.0);
+    const Vec3 point = hit ? ranges_[i] * fan_.Direction(i) : Vec3{};
+    AppendJson(out, point.x);
     out += ", ";
-    AppendJson(out, hit ? point.y : 0.0);
-    out += ", 0.0]";
+    AppendJson(out, point.y);
+    out += ", ";
+    AppendJson(out, point.z);
+    out += ']';
   }
   out += "], \"range_list\": [";
   for (std::size_t i = 0; i < ranges_.size(); ++i) {

@@ -5,17 +5,17 @@
 #include "scene/scenario.h"
 #include "sim/component.h"
 #include "sim/noise.h"
-#include "sim/rays/planar_scan.h"
+#include "sim/rays/beam_fan.h"
 
 namespace ccmorse::sim {
 
 class World;
 
-/// A planar laser scanner: MORSE's LaserScanner, of which Hokuyo is a preset (specs: morse.md B.2,
-/// H.4; thesis 4.1.2). Data: point_list, hits in the scanner's frame, m, [0, 0, 0] without a hit;
-/// and range_list, m, the scanner's range without a hit; both from the right-most beam
-/// counter-clockwise. The ranges of hits are noisy if the
-/// scenario says so. It does not see the robot that carries it.
+/// A laser scanner of one or more layers, level or tilted: MORSE's LaserScanner, of which Hokuyo is
+/// a preset (specs: morse.md B.2, H.4; thesis 4.1.2). Data: point_list, hits in the scanner's
+/// frame, m, [0, 0, 0] without a hit; and range_list, m, the scanner's range without a hit; both
+/// layer by layer from the top, from the right-most beam counter-clockwise. The ranges of
+/// hits are noisy if the scenario says so. It does not see the robot that carries it.
 class LaserScanner : public Sensor {
  public:
   LaserScanner(Robot& robot, const std::string& name, const scene::LaserDef& def,
@@ -28,19 +28,18 @@ class LaserScanner : public Sensor {
   Json Configurations() const override;
   Vec3 mount() const override { return def_.position; }
 
-  int Work() const override { return def_.samples; }
+  int Work() const override { return static_cast<int>(fan_.count()); }
 
-  const std::vector<double>& ranges() const { return ranges_; }  ///< m, (samples)
-  const PlanarScanner& scanner() const { return scanner_; }
+  const std::vector<double>& ranges() const { return ranges_; }  ///< m, (layers * samples)
+  const BeamFan& fan() const { return fan_; }
 
  private:
   void AddNoise(std::uint64_t tick);
-  double Height() const;  // m above the floor
   void AppendFields(std::string& out) const override;
 
   scene::LaserDef def_;
   const World& world_;
-  PlanarScanner scanner_;
+  BeamFan fan_;
   Noise noise_;
   std::vector<double> ranges_;
 };

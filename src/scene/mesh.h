@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "base/pose.h"
+#include "scene/scenario.h"
+
+namespace ccmorse::scene {
+
+/// The mesh's vertices in the world, m.
+std::vector<Vec3> PlacedVertices(const Mesh& mesh);
+
+/// What robots run into of a mesh: the part of each triangle between the heights where robots have
+/// their bodies, seen from above. Convex outlines, m, counter-clockwise; of an upright triangle a
+/// line of two corners. Triangles above and below give none.
+std::vector<std::vector<Vec2>> MeshOutlines(const Mesh& mesh);
+
+}  // namespace ccmorse::scene
