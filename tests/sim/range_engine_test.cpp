@@ -646,7 +646,8 @@ TEST(RangeEngine, RobotsAreSeenWhereTheyAreNow) {
       robot.Place({x, 2.0, 0.0});
       world.RobotsMoved();
       const RayHit hit = Look(world, {2.7, 2, 0.03}, 0, 0, 2e4);
-      EXPECT_NEAR(hit.distance, x - 2.7 - 0.087, 1e-9) << static_cast<int>(path) << " " << hit.surface.surface;
+      EXPECT_NEAR(hit.distance, x - 2.7 - 0.087, 1e-9)
+          << static_cast<int>(path) << " " << hit.surface.surface;
       EXPECT_EQ(hit.surface.kind, HitKind::kRobot);
     }
   }
