@@ -4,6 +4,8 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,21 +24,39 @@ bool Same(const Box& a, const Box& b) {
          a.dynamic == b.dynamic && a.raised == b.raised;
 }
 
+bool Same(const Mesh& a, const Mesh& b) {
+  return a.id == b.id && a.name == b.name &&
+         std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
+                    [](const Vec3& v, const Vec3& w) { return Same(v, w); }) &&
+         a.triangles == b.triangles && Same(a.position, b.position) &&
+         Same(a.rotation, b.rotation) && a.color == b.color;
+}
+
 bool Same(const Light& a, const Light& b) {
   return a.kind == b.kind && Same(a.position, b.position) && a.energy == b.energy &&
          a.shadows == b.shadows;
 }
 
 bool Same(const LaserDef& a, const LaserDef& b) {
-  return Same(a.position, b.position) && a.yaw == b.yaw && a.frequency == b.frequency &&
-         a.scan_window_deg == b.scan_window_deg && a.resolution_deg == b.resolution_deg &&
-         a.range == b.range && a.range_std == b.range_std && a.layer_offset == b.layer_offset &&
-         a.visible_arc == b.visible_arc && a.samples == b.samples;
+  return Same(a.position, b.position) && a.roll == b.roll && a.pitch == b.pitch &&
+         a.layers == b.layers && a.layer_separation == b.layer_separation && a.yaw == b.yaw &&
+         a.frequency == b.frequency && a.scan_window_deg == b.scan_window_deg &&
+         a.resolution_deg == b.resolution_deg && a.range == b.range && a.range_std == b.range_std &&
+         a.layer_offset == b.layer_offset && a.visible_arc == b.visible_arc &&
+         a.samples == b.samples;
+}
+
+bool Same(const std::optional<RingDef>& a, const std::optional<RingDef>& b) {
+  return a.has_value() == b.has_value() &&
+         (!a || (a->frequency == b->frequency && a->min_range == b->min_range &&
+                 a->range == b->range && a->cone_deg == b->cone_deg));
 }
 
 bool Same(const RobotDef& a, const RobotDef& b) {
   return a.name == b.name && a.type == b.type && Same(a.pose, b.pose) && a.color == b.color &&
-         a.proxies == b.proxies && a.drivers == b.drivers && Same(a.laser, b.laser) &&
+         a.proxies == b.proxies && a.drivers == b.drivers && a.front == b.front &&
+         Same(a.ir, b.ir) && Same(a.sonar, b.sonar) &&
+         (a.front != "laser" || Same(a.laser, b.laser)) &&
          a.pose_noise.pos_std == b.pose_noise.pos_std &&
          a.pose_noise.rot_std == b.pose_noise.rot_std;
 }
@@ -53,11 +73,11 @@ bool Same(const std::vector<T>& a, const std::vector<T>& b) {
 bool Same(const Scenario& a, const Scenario& b) {
   return a.name == b.name && a.world.name == b.world.name && a.world.size_x == b.world.size_x &&
          a.world.size_y == b.world.size_y && a.world.floor == b.world.floor &&
-         Same(a.world.boxes, b.world.boxes) && Same(a.world.docks, b.world.docks) &&
-         Same(a.world.lights, b.world.lights) && Same(a.robots, b.robots) &&
-         a.canvas.width == b.canvas.width && a.canvas.height == b.canvas.height &&
-         a.canvas.alpha == b.canvas.alpha && a.canvas.mode == b.canvas.mode &&
-         a.canvas.mode_switching == b.canvas.mode_switching &&
+         Same(a.world.boxes, b.world.boxes) && Same(a.world.meshes, b.world.meshes) &&
+         Same(a.world.docks, b.world.docks) && Same(a.world.lights, b.world.lights) &&
+         Same(a.robots, b.robots) && a.canvas.width == b.canvas.width &&
+         a.canvas.height == b.canvas.height && a.canvas.alpha == b.canvas.alpha &&
+         a.canvas.mode == b.canvas.mode && a.canvas.mode_switching == b.canvas.mode_switching &&
          Same(a.camera.position, b.camera.position) && Same(a.camera.rotation, b.camera.rotation) &&
          a.time.frequency == b.time.frequency && a.time.strategy == b.time.strategy &&
          a.time.factor == b.time.factor && a.time.read_frequency == b.time.read_frequency &&
@@ -82,7 +102,11 @@ Vec3 AnyVector(double limit) {
 LaserDef AnyLaser() {
   LaserDef laser;
   laser.position = AnyVector(0.1);
+  laser.roll = Real(-3.0, 3.0);
+  laser.pitch = Real(-3.0, 3.0);
   laser.yaw = Real(-3.0, 3.0);
+  laser.layers = *rc::gen::inRange(1, 50);
+  laser.layer_separation = Real(-10.0, 10.0);
   laser.frequency = Real(0.1, 100.0);
   laser.scan_window_deg = Real(1.0, 360.0);
   laser.samples = *rc::gen::inRange(2, 2000);
@@ -94,12 +118,33 @@ LaserDef AnyLaser() {
   return laser;
 }
 
+RingDef AnyRing() {
+  const double range = Real(0.1, 100.0);
+  return {Real(0.1, 100.0), Real(0.0, range / 2), range, Real(1.0, 170.0)};
+}
+
+// A mesh above all robots.
+Mesh AnyMesh(int id) {
+  Mesh mesh;
+  mesh.id = id;
+  if (*rc::gen::arbitrary<bool>()) mesh.name = "mesh_" + std::to_string(id);
+  mesh.position = {Real(-3.0, 3.0), Real(-3.0, 3.0), 50.0};
+  mesh.rotation = AnyVector(6.0);
+  mesh.color = AnyColor();
+  for (int i = 0; i < 5; ++i) mesh.vertices.push_back(AnyVector(1.0));
+  mesh.triangles = {{0, 1, 2}, {2, 3, 4}, {4, 0, 1}};
+  return mesh;
+}
+
 RC_GTEST_PROP(C02, WhatToJsonWritesReadsBackTheSame, ()) {
   Scenario scenario = ParseScenario(R"({"robots": []})", "test.json");
   for (Box& box : scenario.world.boxes) {
     if (box.dynamic) box.raised = *rc::gen::arbitrary<bool>();
   }
   scenario.world.floor = AnyColor();
+  for (int i = *rc::gen::inRange(0, 3); i > 0; --i) {
+    scenario.world.meshes.insert(scenario.world.meshes.begin(), AnyMesh(1000 + i));
+  }
   const int robots = *rc::gen::inRange(0, 14);
   for (int i = 0; i < robots; ++i) {
     RobotDef robot;
@@ -108,6 +153,9 @@ RC_GTEST_PROP(C02, WhatToJsonWritesReadsBackTheSame, ()) {
     robot.color = AnyColor();
     robot.laser = AnyLaser();
     robot.pose_noise = {Real(0.0, 1.0), Real(0.0, 1.0)};
+    if (*rc::gen::arbitrary<bool>()) robot.ir = AnyRing();
+    if (*rc::gen::arbitrary<bool>()) robot.sonar = AnyRing();
+    if (robot.ir || robot.sonar) robot.front = *rc::gen::element<std::string>("laser", "sensors");
     robot.proxies["position2d"][*rc::gen::inRange(0, 65536)] = "odometry";
     robot.proxies["laser"];
     robot.drivers["snd"] = Json::Object{{"max_speed", Real(0.0, 1.0)}, {"name", "a \"b\" \n"}};

@@ -182,6 +182,70 @@ TEST(ScenarioErrors, UnknownNames) {
   EXPECT_TRUE(Has(ErrorInRobot(R"("laser": {"preset": "urg04"})"), "must be one of"));
 }
 
+std::string ErrorInMesh(const std::string& settings) {
+  return ErrorInLine2(R"("world": {"name": "w", "size": [4, 4], "boxes": [{"id": 4, "kind": "k",
+"x": 1, "y": 1, "size": [1, 1], "height": 1, "color": "red"}], "meshes": [{"id": 5, )" +
+                      settings + "}]}");
+}
+
+TEST(ScenarioErrors, Meshes) {
+  const std::string vertices = R"("vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [2, 0, 0]])";
+  EXPECT_EQ(ErrorInMesh(vertices), "scene.json:3: world.meshes[0] lacks 'triangles'");
+  EXPECT_EQ(ErrorInMesh(vertices + R"(, "triangles": [])"),
+            "scene.json:3: world.meshes[0].triangles is empty, must have a triangle or more");
+  EXPECT_EQ(ErrorInMesh(vertices + R"(, "triangles": [[0, 1, 4]])"),
+            "scene.json:3: world.meshes[0].triangles[0][2] is 4, must be 0..3");
+  EXPECT_EQ(ErrorInMesh(vertices + R"(, "triangles": [[0, 1]])"),
+            "scene.json:3: world.meshes[0].triangles[0] has 2 numbers, must be the indexes of 3 "
+            "vertices");
+  for (const char* line : {"[0, 1, 3]", "[0, 1, 0]"}) {
+    EXPECT_TRUE(Has(ErrorInMesh(vertices + R"(, "triangles": [)" + line + "]"),
+                    "which lie on one line; remove it"));
+  }
+  EXPECT_EQ(ErrorInMesh(R"("vertices": [[0, 0, 0]], "triangles": [])"),
+            "scene.json:3: world.meshes[0].vertices has 1 vertices, must have 3 or more");
+  EXPECT_TRUE(Has(ErrorInMesh(R"("vertices": [[0, 0, 1e9]], "triangles": [])"), "must be -1000"));
+  EXPECT_TRUE(Has(ErrorInMesh(vertices + R"(, "triangles": [[0, 1, 2]], "postion": [1, 2, 3])"),
+                  "unknown key 'postion' in world.meshes[0]; did you mean 'position'?"));
+  const std::string triangle = R"("vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]],
+"triangles": [[0, 1, 2]])";
+  EXPECT_EQ(
+      ErrorInMesh(triangle + R"(}, {"id": 5, )" + triangle),
+      "scene.json:4: world.meshes[1] has id 5, as has the mesh on line 3; ids must be unique");
+  EXPECT_EQ(ErrorInMesh(triangle + R"(}, {"id": 4, )" + triangle),
+            "scene.json:4: world.meshes[1] has id 4, as has a box; ids must be unique");
+}
+
+TEST(ScenarioErrors, Rings) {
+  EXPECT_EQ(ErrorInRobot(R"("ir": 3)"),
+            "scene.json:2: robots[0].ir must be true, false or an object {...}, not a number");
+  EXPECT_TRUE(
+      Has(ErrorInRobot(R"("sonar": {"cone": 3})"), "unknown key 'cone' in robots[0].sonar"));
+  EXPECT_TRUE(Has(ErrorInRobot(R"("sonar": {"cone_deg": 180})"), "at most 170"));
+  EXPECT_EQ(
+      ErrorInRobot(R"("ir": {"range": 1, "min_range": 1})"),
+      "scene.json:2: robots[0].ir has a min_range of 1 m, must be less than its range of 1 m");
+  EXPECT_EQ(ErrorInRobot(R"("front": "sensors")"),
+            "scene.json:2: robots[0].front is the sensor module, so add \"ir\": true, \"sonar\": "
+            "true or both");
+  EXPECT_EQ(ErrorInRobot(R"("front": "sensors", "ir": true, "laser": {})"),
+            "scene.json:2: robots[0].laser belongs to a robot with \"front\": \"laser\"; remove "
+            "one of them");
+  EXPECT_TRUE(
+      Has(ErrorInRobot(R"("front": "sensors", "ir": true, "proxies": {"laser": {"0": "hokuyo"}})"),
+          "has taken the place of"));
+  EXPECT_TRUE(Has(ErrorInRobot(R"("front": "laserr")"), "did you mean 'laser'?"));
+}
+
+TEST(ScenarioErrors, Layers) {
+  EXPECT_TRUE(Has(ErrorInRobot(R"("laser": {"layers": 0})"), "is 0, must be 1..128"));
+  EXPECT_EQ(ErrorInRobot(R"("laser": {"layers": 128, "samples": 1000})"),
+            "scene.json:2: robots[0].laser has 128 layers of 1000 beams, 128000 in all, must be at "
+            "most 100000");
+  EXPECT_EQ(ErrorInRobot(R"("laser": {"pitch": 1, "pitch_deg": 1})"),
+            "scene.json:2: robots[0].laser has both 'pitch' and 'pitch_deg'; keep one");
+}
+
 TEST(ScenarioErrors, Colors) {
   for (const char* color : {"\"#12345\"", "\"#12345g\"", "\"#+1+2+3\"", "\"\"", "\"gren\""}) {
     const std::string message = ErrorInRobot(fmt::format(R"("color": {})", color));

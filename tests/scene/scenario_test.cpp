@@ -185,6 +185,55 @@ TEST(Q11, PresetOfTheRealScanner) {
   EXPECT_DOUBLE_EQ(Laser(R"("preset": "thesis")").scan_window_deg, 270.0);
 }
 
+TEST(Lasers, PresetsOfMorsesScanners) {
+  const auto expect = [](const char* preset, int samples, double range, double frequency) {
+    const LaserDef laser = Laser("\"preset\": \"" + std::string(preset) + "\"");
+    EXPECT_EQ(laser.samples, samples) << preset;
+    EXPECT_EQ(laser.range, range) << preset;
+    EXPECT_EQ(laser.frequency, frequency) << preset;
+  };
+  expect("hokuyo", 1081, 30.0, 10.0);
+  expect("sick", 181, 30.0, 10.0);
+  expect("infrared", 21, 2.0, 10.0);
+  expect("sick_ldmrs", 401, 30.0, 4.0);
+  EXPECT_EQ(Laser(R"("preset": "sick_ldmrs")").layers, 4);
+  EXPECT_EQ(Laser(R"("preset": "sick")").layers, 1);
+}
+
+TEST(Lasers, MayBeTilted) {
+  const LaserDef laser = Laser(R"("roll": 0.1, "pitch_deg": 30, "yaw_deg": -90)");
+  EXPECT_DOUBLE_EQ(laser.roll, 0.1);
+  EXPECT_DOUBLE_EQ(laser.pitch, kPi / 6);
+  EXPECT_DOUBLE_EQ(laser.yaw, -kPi / 2);
+}
+
+TEST(Meshes, AreReadWithTheirDefaults) {
+  const World world = Parse(R"({"world": {"name": "w", "size": [4, 4], "meshes": [
+      {"id": 9, "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]]},
+      {"id": 3, "name": "b", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]],
+       "triangles": [[2, 1, 0]], "position": [1, 2, 3], "rotation": [0.1, 0.2, 0.3],
+       "color": "red"}]}, "robots": []})")
+                          .world;
+  ASSERT_EQ(world.meshes.size(), 2U);
+  EXPECT_EQ(world.meshes[0].id, 3);
+  EXPECT_EQ(world.meshes[0].triangles[0], (std::array<int, 3>{2, 1, 0}));
+  EXPECT_EQ(world.meshes[0].position.z, 3.0);
+  EXPECT_EQ(world.meshes[0].rotation.y, 0.2);
+  EXPECT_EQ(world.meshes[1].position.x, 0.0);
+  EXPECT_EQ(world.meshes[1].vertices[1].x, 1.0);
+}
+
+TEST(Rings, AreReadWithTheModelsNumbers) {
+  const RobotDef robot =
+      Parse(R"({"robots": [{"front": "sensors", "ir": true, "sonar": {"range": 2}}]})").robots[0];
+  EXPECT_EQ(robot.ir->range, 0.35);
+  EXPECT_EQ(robot.ir->cone_deg, 2.0);
+  EXPECT_EQ(robot.sonar->range, 2.0);
+  EXPECT_EQ(robot.sonar->cone_deg, 50.0);
+  EXPECT_EQ(robot.sonar->min_range, 0.05);
+  EXPECT_EQ(robot.proxies.count("laser"), 0U);
+}
+
 TEST(Q12, MorseCountsTheBeamsWhereTheFileDoesNot) {
   EXPECT_EQ(Laser(R"("scan_window_deg": 180, "resolution_deg": 1)").samples, 181);
   EXPECT_EQ(Laser(R"("scan_window_deg": 270, "resolution_deg": 0.25)").samples, 1081);

@@ -194,5 +194,25 @@ TEST_F(ServiceTest, ConfigurationsSayWhereADeviceSits) {
   EXPECT_NE(Value("s1r.hokuyo get_properties").Find("properties"), nullptr);
 }
 
+TEST(RangeSensors, AnswerOverTheServicePort) {
+  ServedSimulation served(R"({"robots": [{"pose": {"x": 1.2, "y": 2.0}, "front": "sensors",
+                                          "ir": true, "sonar": true}]})");
+  LineClient client(served.port());
+  client.Ask("1 time sleep [0.2]");
+  const auto value = [&client](const std::string& request) {
+    const std::string reply = client.Ask("1 " + request);
+    return Json::Parse(reply.substr(reply.find('{')));
+  };
+  EXPECT_EQ(value("s1r.ir get_local_data").Find("range_list")->AsArray().size(), 8U);
+  const Json sonar = value("s1r.sonar get_local_data");
+  ASSERT_EQ(sonar.Find("range_list")->AsArray().size(), 6U);
+  for (const Json& range : sonar.Find("range_list")->AsArray()) {
+    EXPECT_GT(range.AsDouble(), 0.05);
+    EXPECT_LT(range.AsDouble(), 4.0);  // the arena's walls are nearer
+  }
+  const Json configuration = value("s1r.sonar get_configurations");
+  EXPECT_NE(configuration.Dump().find("\"poses\": [["), std::string::npos) << configuration.Dump();
+}
+
 }  // namespace
 }  // namespace ccmorse::servers

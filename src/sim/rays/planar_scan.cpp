@@ -8,6 +8,7 @@
 #include <mutex>
 #include <tuple>
 
+#include "base/polygon.h"
 #include "base/trig.h"
 
 namespace ccmorse::sim {
@@ -489,7 +490,9 @@ void PlanarScanner::FindNear(Vec2 at, const PlanarWorld& world, Work& work) {
         });
     if (hidden) continue;
     near_.Add(world, outline, gap);
-    if (large && count < kMostScreens) screens[count++] = &outline;
+    // From within, an outline hides nothing.
+    const bool apart = DistanceBeyondEdges(world.Corners(outline), at) > kRemembered;
+    if (large && apart && count < kMostScreens) screens[count++] = &outline;
   }
   near_.Finish();
 }
