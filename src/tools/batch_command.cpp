@@ -310,7 +310,10 @@ int SubmitJobs(const BatchArguments& arguments, const Places& places,
   array.tasks = arguments.tasks > 0 ? std::min(arguments.tasks, static_cast<int>(jobs.size()))
                                     : std::min(kMostTasksUnasked, static_cast<int>(jobs.size()));
   array.at_once = std::max(arguments.at_once, 1);
-  array.timing = arguments.timing;
+  if (arguments.timing) array.words.emplace_back("--timing");
+  if (arguments.log_kib != BatchArguments().log_kib) {
+    array.words.insert(array.words.end(), {"--log-kib", std::to_string(arguments.log_kib)});
+  }
   array.options = arguments.sbatch;
   const std::string script = SlurmScript(array);
 
