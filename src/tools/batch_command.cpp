@@ -170,6 +170,7 @@ class Loop {
     at_once_ = arguments.at_once > 0
                    ? arguments.at_once
                    : static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
+    options_.threads = at_once_ > 1 ? 1 : 0;  // the cores are busy with other jobs
   }
 
   // True when all are done, false when a signal came before.
