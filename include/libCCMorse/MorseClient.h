@@ -30,7 +30,9 @@ namespace CCMorse {
 class MorseClient : public std::enable_shared_from_this<MorseClient> {
  public:
   /// The client of this address; connects when there is none yet. It stays connected until Close()
-  /// or the end of the program. `port` 1..65535. Throws MorseError within 2 s when nobody answers.
+  /// or the end of the program. `port` 1..65535; CCMORSE_HOST and CCMORSE_PORT as for PlayerClient,
+  /// so the host and port that the client then has may be others. Throws MorseError within 2 s when
+  /// nobody answers.
   static MorseClient& GetInstance(const std::string& host, int port);
   /// The client that was made last. Throws MorseError when there is none.
   static MorseClient& GetInstance();
@@ -49,8 +51,8 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
 
   /// Whether the connection stands.
   bool Connected() const;
-  std::string GetHostname() const;  ///< as it was given
-  std::uint32_t GetPort() const;    ///< as it was given
+  std::string GetHostname() const;  ///< as it was given, or CCMORSE_HOST
+  std::uint32_t GetPort() const;    ///< as it was given, or CCMORSE_PORT
 
   // --- The server connection as Player's PlayerClient has it (thesis 3.1.3)
 

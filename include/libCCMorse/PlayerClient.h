@@ -19,8 +19,10 @@ class MorseClient;
 /// Each method is documented in MorseClient.h.
 class PlayerClient {
  public:
-  /// Connects; the port is the simulator's, 4000 for MORSE and ccmorse. Throws MorseError within
-  /// 2 s when nobody answers.
+  /// Connects; the port is the simulator's, 4000 for MORSE and ccmorse. For localhost with port
+  /// 4000 or 6665 the environment's CCMORSE_HOST and CCMORSE_PORT are taken, where set, so that
+  /// `ccmorse batch` can run many programs at once. Throws MorseError within 2 s when nobody
+  /// answers.
   explicit PlayerClient(const std::string& host = "localhost", int port = 6665);
   ~PlayerClient();
   PlayerClient(const PlayerClient&) = delete;

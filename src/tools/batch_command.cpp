@@ -170,6 +170,7 @@ class Loop {
     at_once_ = arguments.at_once > 0
                    ? arguments.at_once
                    : static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
+    options_.threads = at_once_ > 1 ? 1 : 0;  // the cores are busy with other jobs
   }
 
   // True when all are done, false when a signal came before.
@@ -310,7 +311,10 @@ int SubmitJobs(const BatchArguments& arguments, const Places& places,
   array.tasks = arguments.tasks > 0 ? std::min(arguments.tasks, static_cast<int>(jobs.size()))
                                     : std::min(kMostTasksUnasked, static_cast<int>(jobs.size()));
   array.at_once = std::max(arguments.at_once, 1);
-  array.timing = arguments.timing;
+  if (arguments.timing) array.words.emplace_back("--timing");
+  if (arguments.log_kib != BatchArguments().log_kib) {
+    array.words.insert(array.words.end(), {"--log-kib", std::to_string(arguments.log_kib)});
+  }
   array.options = arguments.sbatch;
   const std::string script = SlurmScript(array);
 

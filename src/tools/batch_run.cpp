@@ -65,22 +65,16 @@ BatchRun::BatchRun(const BatchJob& job, const Options& options)
   if (failed) throw Error(fmt::format("cannot make {}: {}", options_.folder, failed.message()));
   fs::remove(report_, failed);
   ChildProcess::Options simulator;
-  simulator.command = {options_.simulator,
-                       "run",
-                       job_.scenario_file,
-                       "--headless",
-                       "--pace",
+  simulator.command = {options_.simulator, "run", job_.scenario_file, "--headless", "--pace",
                        job_.program.empty() ? "max" : "lockstep",
-                       "--seed",
-                       std::to_string(job_.seed.value_or(1)),
-                       "--port",
-                       "0",
-                       "--stream-port",
-                       "0",
-                       "--out",
-                       options_.folder,
-                       "--report",
+                       // A program may think as long as the job's own time limit lets it.
+                       "--client-timeout", "0", "--seed", std::to_string(job_.seed.value_or(1)),
+                       "--port", "0", "--stream-port", "0", "--out", options_.folder, "--report",
                        report_};
+  if (options_.threads > 0) {
+    simulator.command.insert(simulator.command.end(),
+                             {"--threads", std::to_string(options_.threads)});
+  }
   if (job_.seconds > 0.0) {
     simulator.command.insert(simulator.command.end(), {"--for", fmt::format("{}", job_.seconds)});
   }

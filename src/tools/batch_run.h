@@ -29,6 +29,7 @@ class BatchRun {
     std::string folder;       ///< the job's own, absolute; made when something is written there
     std::string log;          ///< how the result calls the log
     std::size_t longest_log;  ///< bytes
+    int threads = 0;          ///< of the simulator; 0: as many as are sensible
     bool timing = false;      ///< put wall-clock times into the result
   };
 

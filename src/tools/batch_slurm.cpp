@@ -54,10 +54,11 @@ std::string SlurmScript(const SlurmArray& array) {
       "#SBATCH --cpus-per-task={}\n",
       array.name, ShellWord(array.folder + "/task-%a.out"), array.at_once);
   for (const std::string& option : array.options) script += "#SBATCH " + option + "\n";
-  script += fmt::format("exec {} batch {} --out {} --task \"$SLURM_ARRAY_TASK_ID/{}\" -j {}{}\n",
+  script += fmt::format("exec {} batch {} --out {} --task \"$SLURM_ARRAY_TASK_ID/{}\" -j {}",
                         ShellWord(array.ccmorse), ShellWord(array.manifest), ShellWord(array.out),
-                        array.tasks, array.at_once, array.timing ? " --timing" : "");
-  return script;
+                        array.tasks, array.at_once);
+  for (const std::string& word : array.words) script += " " + ShellWord(word);
+  return script + "\n";
 }
 
 std::string Submit(const std::string& script, const std::vector<int>& tasks) {

@@ -14,7 +14,7 @@ struct SlurmArray {
   std::string folder;                ///< absolute: of the script, the parts and the tasks' output
   int tasks = 1;                     ///< 1..100000
   int at_once = 1;                   ///< jobs that a task does at a time: its -j and its CPUs
-  bool timing = false;               ///< --timing
+  std::vector<std::string> words;    ///< further ones of `ccmorse batch`: "--timing"
   std::vector<std::string> options;  ///< for sbatch: "--partition=long"
 };
 

@@ -29,7 +29,8 @@ void AddBatchOptions(CLI::App& command, ccmorse::tools::BatchArguments& batch) {
       .add_option("--out", batch.out,
                   "one JSON line a job; those of an earlier start stay  [MANIFEST.results.jsonl]")
       ->type_name("FILE.jsonl");
-  command.add_flag("--retry", batch.retry, "do jobs again that failed or ran out of time");
+  CLI::Option* const retry =
+      command.add_flag("--retry", batch.retry, "do jobs again that failed or ran out of time");
   command.add_flag("--timing", batch.timing, "add wall-clock times to the results");
   command
       .add_option("--log-kib", batch.log_kib,
@@ -38,7 +39,8 @@ void AddBatchOptions(CLI::App& command, ccmorse::tools::BatchArguments& batch) {
       ->type_name("N");
   command.add_flag("-q,--quiet", batch.quiet, "no progress");
   CLI::Option* const slurm =
-      command.add_flag("--slurm", batch.slurm, "submit the jobs as a Slurm job array");
+      command.add_flag("--slurm", batch.slurm, "submit the jobs as a Slurm job array")
+          ->excludes(retry);
   command.add_option("--tasks", batch.tasks, "of the array  [one a job, 100 at most]")
       ->check(CLI::Range(1, 100000))
       ->needs(slurm)

@@ -191,6 +191,27 @@ void WaitForFile(const std::string& path) {
   ASSERT_TRUE(std::filesystem::exists(path)) << path;
 }
 
+// The simulator's own time limit for clients is short; a job has one of its own.
+TEST(Batch, AProgramMayThinkAsLongAsItsJobMayTake) {
+  const Batch batch(QuickAndEndless());
+  const Process process(batch.Command({"-j", "2"}));
+  WaitForFile(batch.folder() + "/r.jobs/endless/started");
+  bool found = false;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::ifstream file(entry.path() / "cmdline", std::ios::binary);
+    std::ostringstream read;
+    read << file.rdbuf();
+    const std::string line = read.str();
+    if (line.find(batch.folder() + "/r.jobs/endless/.report.json") == std::string::npos) continue;
+    found = true;
+    EXPECT_NE(line.find(std::string("--client-timeout\0"
+                                    "0\0",
+                                    19)),
+              std::string::npos);
+  }
+  EXPECT_TRUE(found);
+}
+
 TEST(Batch, CtrlCEndsTheProcessesAndKeepsTheResults) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const Batch batch(QuickAndEndless());

@@ -34,6 +34,7 @@ TEST(BatchSlurm, TheScriptStartsOneTaskOfTheBatch) {
   array.folder = "/out/r.slurm";
   array.tasks = 40;
   array.at_once = 2;
+  array.words = {"--log-kib", "64"};
   array.options = {"--partition=long", "--time=1:00:00"};
   EXPECT_EQ(SlurmScript(array),
             "#!/bin/sh\n"
@@ -44,7 +45,7 @@ TEST(BatchSlurm, TheScriptStartsOneTaskOfTheBatch) {
             "#SBATCH --partition=long\n"
             "#SBATCH --time=1:00:00\n"
             "exec /usr/bin/ccmorse batch '/my files/m.json' --out /out/r.jsonl --task "
-            "\"$SLURM_ARRAY_TASK_ID/40\" -j 2\n");
+            "\"$SLURM_ARRAY_TASK_ID/40\" -j 2 --log-kib 64\n");
 }
 
 }  // namespace
