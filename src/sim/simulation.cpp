@@ -7,8 +7,9 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr std::size_t kFleet = 8;       // robots from which on threads are worth their trouble
-constexpr std::int64_t kShared = 16384;  // beams, or as much work, from which on threads share it
+constexpr std::size_t kFleet = 8;          // robots from which on threads are worth their trouble
+constexpr std::int64_t kShared = 16384;    // beams, or as much work, from which on threads share it
+constexpr std::size_t kSharedMotion = 64;  // robots, likewise
 
 int Threads(int asked, std::size_t robots) {
   if (asked > 0) return asked;
@@ -22,14 +23,15 @@ Simulation::Simulation(scene::Scenario scenario, int threads)
     : scenario_(std::move(scenario)),
       world_(scenario_.world),
       canvas_(scenario_.canvas, scenario_.world.size_x, scenario_.world.size_y),
-      pool_(Threads(threads, scenario_.robots.size())) {
+      pool_(Threads(threads, scenario_.robots.size())),
+      shared_from_(threads > 0 ? 1 : kShared) {
   // Robots are worked on in the order of their names, so that the order in the file has no effect.
   std::vector<scene::RobotDef> defs = scenario_.robots;
   std::sort(defs.begin(), defs.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   for (const scene::RobotDef& def : defs) {
     robots_.push_back(std::make_unique<Robot>(def, static_cast<int>(robots_.size())));
   }
-  motion_.emplace(world_, robots_);
+  motion_.emplace(world_, robots_, threads > 0 ? 1 : kSharedMotion);
   std::vector<const Robot*> seen;
   for (const auto& robot : robots_) seen.push_back(robot.get());
   world_.SetRobots(seen);
@@ -62,7 +64,7 @@ void Simulation::Sense() {
     }
   };
   const auto threads = static_cast<std::size_t>(pool_.threads());
-  if (threads == 1 || work < kShared) {
+  if (threads == 1 || work < shared_from_) {
     sample(0, sampled_.size());
     return;
   }

@@ -22,9 +22,9 @@ namespace ccmorse::sim {
 /// whatever the number of threads. One thread at a time may use it.
 class Simulation {
  public:
-  /// `threads` share the work of a tick; 0: as many as the machine and the number of robots make
-  /// sensible. They change nothing but the time it takes. Throws Error when the scenario cannot be
-  /// (it was checked when it was read).
+  /// `threads` share the work of every tick; 0: as many as the machine and the number of robots
+  /// make sensible, where there is enough of it. They change nothing but the time it takes. Throws
+  /// Error when the scenario cannot be (it was checked when it was read).
   explicit Simulation(scene::Scenario scenario, int threads = 0);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
@@ -76,6 +76,7 @@ class Simulation {
   std::vector<Component*> components_;
   std::vector<Sensor*> sampled_;
   WorkerPool pool_;
+  std::int64_t shared_from_;  // work of a tick's sensors, Sensor::Work()
   std::optional<FleetMotion> motion_;
   std::uint64_t tick_ = 0;
   bool physics_ = true;

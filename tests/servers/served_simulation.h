@@ -21,8 +21,8 @@ class ServedSimulation {
  public:
   explicit ServedSimulation(const std::string& scenario, Pace pace = Pace::kRealTime,
                             double seconds = 0.0, const MorseServerOptions& limits = {},
-                             int clients = 1, const RecordOptions& record = {},
-                             double client_timeout = 10.0)
+                            int clients = 1, const RecordOptions& record = {},
+                            double client_timeout = 10.0)
       : simulation_(scene::ParseScenario(scenario, "test.json")),
         recorder_(simulation_, folder_.path() + "/run.mcap", record),
         runner_(simulation_, Options(pace, seconds, limits, clients, client_timeout)),

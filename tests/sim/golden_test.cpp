@@ -14,9 +14,11 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "scene/scenario.h"
 #include "sim/actuators/motion_vw.h"
 #include "sim/simulation.h"
+#include "tests/support/range_scenes.h"
 
 namespace ccmorse::sim {
 namespace {
@@ -115,6 +117,26 @@ Scene DrawnCanvas() {
           }};
 }
 
+// A scene of tests/support/range_scenes.h, taken apart so that its robots can be shuffled.
+Scene FromText(const std::string& text, int ticks, std::uint64_t golden) {
+  Scene scene{"", {}, ticks, golden};
+  const Json whole = Json::Parse(text);
+  for (const auto& [key, value] : whole.AsObject()) {
+    if (key == "robots") {
+      for (const Json& robot : value.AsArray()) scene.robots.push_back(robot.Dump());
+    } else {
+      scene.rest += (scene.rest.empty() ? "" : ", ") + Json(key).Dump() + ": " + value.Dump();
+    }
+  }
+  return scene;
+}
+
+Scene SonarRings() { return FromText(testing::SonarScene(), 300, 0xf4980370b39f223a); }
+
+Scene InfraredRings() { return FromText(testing::InfraredScene(), 300, 0x93ce1e8146eec01c); }
+
+Scene MeshesByEmbree() { return FromText(testing::MeshScene(), 300, 0x2b0739b419e321b7); }
+
 // Each robot drives by a programme that depends on its name alone.
 void Drive(Simulation& simulation) {
   const double time = simulation.time();
@@ -148,7 +170,7 @@ struct Named {
 
 void PrintTo(const Named& named, std::ostream* out) { *out << named.name; }
 
-class GoldenHash : public testing::TestWithParam<Named> {};
+class GoldenHash : public ::testing::TestWithParam<Named> {};
 
 TEST_P(GoldenHash, HoldsForEveryNumberOfThreadsAndOrderOfRobots) {
   Scene scene = GetParam().make();
@@ -162,9 +184,12 @@ TEST_P(GoldenHash, HoldsForEveryNumberOfThreadsAndOrderOfRobots) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, GoldenHash,
-    testing::Values(Named{"SingleRobot", SingleRobot}, Named{"TenRobotsMeeting", TenRobotsMeeting},
-                    Named{"HundredRobots", HundredRobots}, Named{"NoisySensors", NoisySensors},
-                    Named{"ArenaObstaclesUp", ArenaObstaclesUp}, Named{"DrawnCanvas", DrawnCanvas}),
+    ::testing::Values(Named{"SingleRobot", SingleRobot},
+                      Named{"TenRobotsMeeting", TenRobotsMeeting},
+                      Named{"HundredRobots", HundredRobots}, Named{"NoisySensors", NoisySensors},
+                      Named{"ArenaObstaclesUp", ArenaObstaclesUp}, Named{"SonarRings", SonarRings},
+                      Named{"InfraredRings", InfraredRings},
+                      Named{"MeshesByEmbree", MeshesByEmbree}, Named{"DrawnCanvas", DrawnCanvas}),
     [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace

@@ -10,17 +10,17 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr double kListed = 0.25;      // m that a robot may move before its lists are made anew
-constexpr double kCleared = 0.01;     // m that it moves before its room is measured anew
-constexpr double kRoom = 1e-9;        // m, so that rounding is no matter
-constexpr std::size_t kWorthIt = 64;  // robots that move faster in several threads than in one
+constexpr double kListed = 0.25;   // m that a robot may move before its lists are made anew
+constexpr double kCleared = 0.01;  // m that it moves before its room is measured anew
+constexpr double kRoom = 1e-9;     // m, so that rounding is no matter
 
 double Distance(Vec2 a, Vec2 b) { return std::sqrt(Dot(b - a, b - a)); }
 
 }  // namespace
 
-FleetMotion::FleetMotion(const World& world, const std::vector<std::unique_ptr<Robot>>& robots)
-    : world_(world), robots_(robots), around_(robots.size()) {
+FleetMotion::FleetMotion(const World& world, const std::vector<std::unique_ptr<Robot>>& robots,
+                         std::size_t shared_from)
+    : world_(world), robots_(robots), shared_from_(shared_from), around_(robots.size()) {
   for (const auto& robot : robots) fastest_ = std::max(fastest_, robot->model().max_speed);
   // Room enough that ticks hardly ever allocate.
   for (Around& around : around_) around.boxes.reserve(16);
@@ -48,7 +48,7 @@ void FleetMotion::Step(const Instant& now, WorkerPool& pool) {
       Move(alone_[i], now, in_the_way_[part]);
     }
   };
-  if (alone_.size() < kWorthIt || pool.threads() == 1) {
+  if (alone_.size() < shared_from_ || pool.threads() == 1) {
     move_alone(0, alone_.size(), 0);
   } else {
     const auto threads = static_cast<std::size_t>(pool.threads());

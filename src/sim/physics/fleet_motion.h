@@ -20,8 +20,10 @@ class World;
 /// away from there. One thread at a time.
 class FleetMotion {
  public:
-  /// World and robots outlive this.
-  FleetMotion(const World& world, const std::vector<std::unique_ptr<Robot>>& robots);
+  /// World and robots outlive this. From `shared_from` robots on that are alone, threads share
+  /// them.
+  FleetMotion(const World& world, const std::vector<std::unique_ptr<Robot>>& robots,
+              std::size_t shared_from);
 
   /// One physics step of every robot.
   void Step(const Instant& now, WorkerPool& pool);
@@ -42,6 +44,7 @@ class FleetMotion {
 
   const World& world_;
   const std::vector<std::unique_ptr<Robot>>& robots_;
+  std::size_t shared_from_;
   double fastest_ = 0.0;        // m/s, of all robots
   std::vector<Around> around_;  // (robots)
 
