@@ -22,8 +22,9 @@ MAY_INCLUDE = {
     "sim": ["scene", "base"],
     "servers": ["sim", "scene", "wire", "base"],
     "tools": ["servers", "sim", "scene", "wire", "base"],
-    # Programs over the client library that measure it, as processes of their own.
-    "bench": ["base"],
+    # Programs that `ccmorse bench` executes: they measure what it may not include, the client
+    # library and Embree itself.
+    "bench": ["sim", "base"],
 }
 
 # Public headers of the client library by layer (thesis 3.1): a header may include its own layer
@@ -43,7 +44,7 @@ CLIENT_FOLDER_LAYER = {"client/core": 0, "client/morse": 1, "client/player": 3, 
 # Heavy headers and the only files that may include them.
 HEAVY = {
     "boost/": r"src/(servers|client/core)/.*|src/tools/run_command\.cpp",
-    "embree3/": r"src/sim/rays/embree_scene\.cpp",
+    "embree3/": r"src/sim/rays/embree_scene\.cpp|src/bench/embree_bench\.cpp",
     "CLI/": r"src/tools/main\.cpp",
     "spdlog/": r"src/base/log\.cpp",
     "png.h": r"src/base/image\.cpp",

@@ -10,8 +10,8 @@
 #include "base/error.h"
 #include "tools/batch_command.h"
 #include "tools/bench_all.h"
+#include "tools/bench_program.h"
 #include "tools/fleet_bench.h"
-#include "tools/link_bench.h"
 #include "tools/rays_bench.h"
 #include "tools/replay_command.h"
 #include "tools/run_command.h"
@@ -237,13 +237,21 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.01, 1e3))
       ->type_name("S");
   rays_command->add_flag("--json", rays.json, "one JSON object instead of a table");
-  ccmorse::tools::LinkArguments link;
+  ccmorse::tools::BenchProgramArguments link;
   CLI::App* const link_command = bench_command->add_subcommand(
       "link", "a client's Read() and canvas updates over TCP, by the fast link and by JSON");
   link_command->add_option("--seconds", link.seconds, "wall-clock time of each measurement  [2]")
       ->check(CLI::Range(0.01, 1000.0))
       ->type_name("S");
   link_command->add_flag("--json", link.json, "one JSON object instead of a table");
+  ccmorse::tools::BenchProgramArguments embree;
+  CLI::App* const embree_command = bench_command->add_subcommand(
+      "embree", "rays against triangles among 1,000 robots on one core, beside Embree alone");
+  embree_command
+      ->add_option("--seconds", embree.seconds, "wall-clock time of each measurement  [2]")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->type_name("S");
+  embree_command->add_flag("--json", embree.json, "one JSON object instead of a table");
 
   ccmorse::tools::BenchAllArguments all;
   CLI::App* const all_command = bench_command->add_subcommand(
@@ -267,7 +275,8 @@ int main(int argc, char** argv) {
     if (replay_command->parsed()) return ccmorse::tools::Replay(replay);
     if (list_command->parsed()) return ccmorse::tools::ListScenarios();
     if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);
-    if (link_command->parsed()) ccmorse::tools::BenchLink(link);
+    if (link_command->parsed()) ccmorse::tools::ExecuteBench("link", link);
+    if (embree_command->parsed()) ccmorse::tools::ExecuteBench("embree", embree);
     if (batch_command->parsed()) return ccmorse::tools::Batch(batch);
     if (all_command->parsed()) return ccmorse::tools::BenchAll(all);
     if (fleet_command->parsed()) return ccmorse::tools::BenchFleet(fleet);

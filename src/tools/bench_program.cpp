@@ -1,4 +1,4 @@
-#include "tools/link_bench.h"
+#include "tools/bench_program.h"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -13,14 +13,14 @@
 
 namespace ccmorse::tools {
 
-void BenchLink(const LinkArguments& arguments) {
+void ExecuteBench(const std::string& name, const BenchProgramArguments& arguments) {
   std::error_code failed;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failed);
   if (failed) throw Error("cannot find out where ccmorse lies: " + failed.message());
-  const std::string program = (self.parent_path() / "ccmorse-bench-link").string();
+  const std::string program = (self.parent_path() / ("ccmorse-bench-" + name)).string();
   const std::string seconds = fmt::format("{}", arguments.seconds);
   std::fflush(stdout);
-  ::execl(program.c_str(), "ccmorse-bench-link", self.c_str(), seconds.c_str(),
+  ::execl(program.c_str(), program.c_str(), self.c_str(), seconds.c_str(),
           arguments.json ? "json" : "table", nullptr);
   throw Error("cannot run " + program + ": " + std::strerror(errno));
 }

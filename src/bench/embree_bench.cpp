@@ -1,18 +1,25 @@
-// The range engine's general path against Embree itself, in one scene, on one thread: how many rays
-// a second of lidar fans (specs: dependencies.md 2c; issue 3). Run: build/release/bin/ray_benchmark
+// `ccmorse bench embree`: the range engine's general path against Embree itself, in one scene, on
+// one thread: rays a second of lidar fans among many robots. It is a program of its own, which
+// `ccmorse` executes, so that no Embree type has to leave src/sim/rays for the comparison.
 //
-// The scene: 2,004 triangles that stand in 100 x 100 m, four walls and 163 boxes, and N robots of
-// 256 triangles; fans of 256 rays over 270 degrees, 30 m, each from the middle of another robot.
+// The scene: 2,004 triangles that stand in 100 x 100 m, four walls and 163 boxes, and 1,000 robots
+// of 256 triangles; fans of 256 rays over 270 degrees, 30 m, each from the middle of another robot.
 
-#include <benchmark/benchmark.h>
 #include <embree3/rtcore.h>
+#include <fmt/core.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <random>
+#include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "sim/rays/embree_scene.h"
@@ -20,7 +27,9 @@
 namespace {
 
 using namespace ccmorse;  // NOLINT(google-build-using-namespace): a program of one file
+using Clock = std::chrono::steady_clock;
 
+constexpr int kRobots = 1000;
 constexpr double kRange = 30.0;                // m
 constexpr double kRobotRadius = 0.3;           // m
 constexpr double kSensorHeight = 0.3;          // m
@@ -31,14 +40,13 @@ struct BenchScene {
   sim::TriangleSet fixed;
   sim::TriangleSet robot;
   std::vector<Pose2> robots;
-  std::vector<Pose2> sensors;  // where fans start from, 1000 of them
 };
 
 void AddBox(const Pose2& pose, double x, double y, sim::TriangleSet& set) {
   set.AddPrism(BoxCorners(pose, x, y), 0.0, 1.0, {sim::HitKind::kBox, 1, 0});
 }
 
-BenchScene MakeScene(int robots) {
+BenchScene MakeScene() {
   std::mt19937 random(1);
   const auto uniform = [&random](double low, double high) {
     return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
@@ -65,12 +73,8 @@ BenchScene MakeScene(int robots) {
     scene.robot.Add({0, 0, 0.5}, at(i, 0.5), at(i + 1, 0.5), surface);
     scene.robot.Add({0, 0, 0.05}, at(i + 1, 0.05), at(i, 0.05), surface);
   }
-  for (int i = 0; i < robots; ++i) {
+  for (int i = 0; i < kRobots; ++i) {
     scene.robots.push_back({uniform(2, 98), uniform(2, 98), uniform(0, 6)});
-  }
-  for (int i = 0; i < 1000; ++i) {
-    scene.sensors.push_back(robots > 0 ? scene.robots[static_cast<std::size_t>(i % robots)]
-                                       : Pose2{uniform(2, 98), uniform(2, 98), uniform(0, 6)});
   }
   return scene;
 }
@@ -151,88 +155,130 @@ class RawScene {
   RTCScene scene_;
 };
 
-void LidarRawEmbree(benchmark::State& state) {
-  const BenchScene scene = MakeScene(static_cast<int>(state.range(0)));
-  const RawScene raw(scene);
-  const auto fan = Fan();
-  std::vector<RTCRayHit> rays(kRays);
-  std::size_t next = 0;
-  for (auto _ : state) {
-    const Pose2 sensor = scene.sensors[next++ % scene.sensors.size()];
+// One fan by Embree alone.
+class RawFans {
+ public:
+  explicit RawFans(const BenchScene& scene) : raw_(scene), rays_(kRays) {}
+
+  void Scan(const std::array<Vec2, kRays>& fan, const Pose2& sensor, int /*self*/) {
     TurnFan(fan, sensor, [&](std::size_t i, const Vec3& direction) {
-      rays[i].ray = {static_cast<float>(sensor.x),
-                     static_cast<float>(sensor.y),
-                     static_cast<float>(kSensorHeight),
-                     static_cast<float>(kRobotRadius + 0.001),
-                     static_cast<float>(direction.x),
-                     static_cast<float>(direction.y),
-                     0.0F,
-                     0.0F,
-                     static_cast<float>(kRange),
-                     0xFFFFFFFFU,
-                     0,
-                     0};
-      rays[i].hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      rays[i].hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      rays_[i].ray = {static_cast<float>(sensor.x),
+                      static_cast<float>(sensor.y),
+                      static_cast<float>(kSensorHeight),
+                      static_cast<float>(kRobotRadius + 0.001),
+                      static_cast<float>(direction.x),
+                      static_cast<float>(direction.y),
+                      0.0F,
+                      0.0F,
+                      static_cast<float>(kRange),
+                      0xFFFFFFFFU,
+                      0,
+                      0};
+      rays_[i].hit.geomID = RTC_INVALID_GEOMETRY_ID;
+      rays_[i].hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     });
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect1M(raw.scene(), &context, rays.data(), kRays, sizeof(RTCRayHit));
-    benchmark::DoNotOptimize(rays.data());
+    rtcIntersect1M(raw_.scene(), &context, rays_.data(), kRays, sizeof(RTCRayHit));
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kRays));
-}
 
-void LidarRangeEngine(benchmark::State& state) {
-  const BenchScene scene = MakeScene(static_cast<int>(state.range(0)));
-  sim::EmbreeScene triangles;
-  const std::vector<int> models(scene.robots.size(), 0);
-  triangles.Build({scene.fixed}, {scene.robot}, models, 100.0);
-  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-    const Pose2& pose = scene.robots[i];
-    triangles.Place(static_cast<int>(i), {{pose.x, pose.y, 0.0}, FromEuler(0.0, 0.0, pose.yaw)});
-  }
-  triangles.Commit();
-  const auto fan = Fan();
-  std::vector<sim::Ray> rays(kRays);
-  std::vector<sim::RayHit> hits(kRays);
-  std::size_t next = 0;
-  for (auto _ : state) {
-    const std::size_t from = next++ % scene.sensors.size();
-    const Pose2 sensor = scene.sensors[from];
-    TurnFan(fan, sensor, [&](std::size_t i, const Vec3& direction) {
-      rays[i] = {{sensor.x, sensor.y, kSensorHeight}, direction};
-    });
-    const int self = scene.robots.empty() ? -1 : static_cast<int>(from % scene.robots.size());
-    triangles.Trace(rays, kRange, self, hits);
-    benchmark::DoNotOptimize(hits.data());
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kRays));
-}
+ private:
+  RawScene raw_;
+  std::vector<RTCRayHit> rays_;
+};
 
-// Moving all robots, before the first scan of a tick.
-void MoveRobots(benchmark::State& state) {
-  const BenchScene scene = MakeScene(static_cast<int>(state.range(0)));
-  sim::EmbreeScene triangles;
-  const std::vector<int> models(scene.robots.size(), 0);
-  triangles.Build({scene.fixed}, {scene.robot}, models, 100.0);
-  double shift = 0.0;
-  for (auto _ : state) {
-    shift = shift > 1.0 ? 0.0 : shift + 0.001;
+// One fan by the range engine: distances in double, and what was hit.
+class EngineFans {
+ public:
+  explicit EngineFans(const BenchScene& scene) : rays_(kRays), hits_(kRays) {
+    triangles_.Build({scene.fixed}, {scene.robot}, std::vector<int>(scene.robots.size(), 0), 100.0);
+    Move(scene, 0.0);
+  }
+
+  void Move(const BenchScene& scene, double shift) {
     for (std::size_t i = 0; i < scene.robots.size(); ++i) {
       const Pose2& pose = scene.robots[i];
-      triangles.Place(static_cast<int>(i),
-                      {{pose.x + shift, pose.y, 0.0}, FromEuler(0.0, 0.0, pose.yaw)});
+      triangles_.Place(static_cast<int>(i),
+                       {{pose.x + shift, pose.y, 0.0}, FromEuler(0.0, 0.0, pose.yaw)});
     }
-    triangles.Commit();
+    triangles_.Commit();
   }
+
+  void Scan(const std::array<Vec2, kRays>& fan, const Pose2& sensor, int self) {
+    TurnFan(fan, sensor, [&](std::size_t i, const Vec3& direction) {
+      rays_[i] = {{sensor.x, sensor.y, kSensorHeight}, direction};
+    });
+    triangles_.Trace(rays_, kRange, self, hits_);
+  }
+
+ private:
+  sim::EmbreeScene triangles_;
+  std::vector<sim::Ray> rays_;
+  std::vector<sim::RayHit> hits_;
+};
+
+double Since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-BENCHMARK(LidarRawEmbree)->Arg(0)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMicrosecond);
-BENCHMARK(LidarRangeEngine)->Arg(0)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMicrosecond);
-BENCHMARK(MoveRobots)->Arg(10)->Arg(1000)->Unit(benchmark::kMicrosecond);
+// Seconds for one fan from each robot.
+template <typename Fans>
+double Round(const BenchScene& scene, const std::array<Vec2, kRays>& fan, Fans& fans) {
+  const auto start = Clock::now();
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+    fans.Scan(fan, scene.robots[i], static_cast<int>(i));
+  }
+  return Since(start);
+}
+
+int Run(double seconds, bool json) {
+  const BenchScene scene = MakeScene();
+  const auto fan = Fan();
+  RawFans raw(scene);
+  EngineFans engine(scene);
+  double raw_seconds = 0.0;
+  double engine_seconds = 0.0;
+  double move_seconds = 0.0;
+  int rounds = 0;
+  // In turns, so that whatever else the machine does falls on both.
+  for (const auto start = Clock::now(); rounds == 0 || Since(start) < 2.0 * seconds; ++rounds) {
+    raw_seconds += Round(scene, fan, raw);
+    engine_seconds += Round(scene, fan, engine);
+    const auto moving = Clock::now();
+    engine.Move(scene, 0.0);
+    move_seconds += Since(moving);
+  }
+  const double rays = static_cast<double>(rounds) * kRobots * kRays;
+  const double rate = rays / engine_seconds;
+  const double raw_rate = rays / raw_seconds;
+  const double move = move_seconds / rounds;
+  if (json) {
+    fmt::print("{}\n", Json(Json::Object{{"rays_per_s", rate},
+                                         {"raw_rays_per_s", raw_rate},
+                                         {"move_1000_robots_us", move * 1e6}})
+                           .Dump());
+  } else {
+    fmt::print("lidar fans among 1,000 robots on one core, rays per second\n");
+    fmt::print("range engine, exact in double  {:.2f} M, {:.0f} % of Embree alone\n", rate * 1e-6,
+               100.0 * rate / raw_rate);
+    fmt::print("Embree alone                   {:.2f} M\n", raw_rate * 1e-6);
+    fmt::print("moving all robots              {:.0f} us\n", move * 1e6);
+  }
+  return 0;
+}
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::fprintf(stderr, "usage: ccmorse bench embree\n");
+    return 2;
+  }
+  try {
+    return Run(std::atof(argv[2]), std::string(argv[3]) == "json");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ccmorse bench embree: %s\n", error.what());
+  }
+  return 1;
+}
