@@ -103,7 +103,7 @@ void Entry(FrameWriter& frame, int id, int form, std::size_t size, double timest
 // Reads once; a line that goes with the read tells the server when to answer it.
 void ReadFrom(FakeServer& server, MorseClient& client, const std::string& data) {
   server.Answer("now please", std::nullopt);
-  server.OnLine([&server, &data](const std::string& line) {
+  server.OnLine([&server, data](const std::string& line) {
     if (line == "now please") server.SendRaw(data);
   });
   client.Command("now", "please");
