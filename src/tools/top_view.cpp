@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/polygon.h"
 #include "base/trig.h"
+#include "scene/mesh.h"
 
 namespace ccmorse::tools {
 namespace {
@@ -234,6 +235,26 @@ void AddBox(const Box& box, Vec2 slope, std::vector<Patch>& rims, std::vector<Pa
   tops.push_back({{inner.begin(), inner.end()}, box.color, 1.0});
 }
 
+// A mesh from above: its triangles from the lowest up, darker the steeper they are.
+void AddMesh(const scene::Mesh& mesh, std::vector<Patch>& patches) {
+  const std::vector<Vec3> vertices = scene::PlacedVertices(mesh);
+  std::vector<std::array<Vec3, 3>> triangles;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    triangles.push_back({vertices[static_cast<std::size_t>(a)],
+                         vertices[static_cast<std::size_t>(b)],
+                         vertices[static_cast<std::size_t>(c)]});
+  }
+  std::stable_sort(triangles.begin(), triangles.end(), [](const auto& one, const auto& other) {
+    return one[0].z + one[1].z + one[2].z < other[0].z + other[1].z + other[2].z;
+  });
+  for (const auto& [a, b, c] : triangles) {
+    const Vec3 normal = Cross(b - a, c - a);
+    const double level = std::fabs(normal.z) / std::sqrt(Dot(normal, normal));
+    patches.push_back(
+        {{{a.x, a.y}, {b.x, b.y}, {c.x, c.y}}, Shade(mesh.color, 0.5 + 0.5 * level), 1.0});
+  }
+}
+
 // A box that is down: a tint and a thin line where it would stand.
 void AddRetracted(const Box& box, std::vector<Patch>& patches) {
   constexpr double kLine = 0.004;
@@ -352,6 +373,7 @@ class Painter {
       if (box->raised) AddBox(*box, slope, standing_, tops);
     }
     standing_.insert(standing_.end(), tops.begin(), tops.end());
+    for (const scene::Mesh& mesh : world_.meshes) AddMesh(mesh, standing_);
     for (const TopViewRobot& robot : view.robots) AddRobot(robot, standing_);
     for (std::vector<Patch>* patches : {&on_floor_, &standing_}) {
       for (Patch& patch : *patches) patch.outline = ToSamples(frame_, patch.outline);

@@ -55,7 +55,7 @@ std::string ObstaclesUpScene() {
     5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 56, 57, 59, 61, 63, 65, 66, 67,
     68, 69, 70, 71, 72, 73, 74, 75, 76]},
   "robots": [{"name": "a", "pose": {"x": 1.2, "y": 2.0, "yaw_deg": 150}},
-             {"name": "b", "pose": {"x": 1.654, "y": 2.253, "yaw_deg": 60}}]})";
+             {"name": "b", "pose": {"x": 3.14, "y": 2.4, "yaw_deg": 60}}]})";
 }
 
 std::vector<RangeScene> RangeScenesForTests() {
