@@ -23,7 +23,10 @@ struct Surface {
   /// begin at their (+x, +y) corner: 0 is the +y side, 1 -x, 2 -y, 3 +x. Of a mesh: the triangle.
   int surface = 0;
 
-  auto operator<=>(const Surface&) const = default;
+  bool operator==(const Surface& other) const = default;
+  bool operator<(const Surface& other) const {
+    return std::tie(kind, object, surface) < std::tie(other.kind, other.object, other.surface);
+  }
 };
 
 /// Triangles in double precision: what the general path of the range engine sees.
