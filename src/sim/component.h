@@ -9,6 +9,7 @@
 
 #include "base/json.h"
 #include "base/pose.h"
+#include "base/rotation.h"
 #include "sim/service.h"
 #include "sim/state_hash.h"
 
@@ -60,6 +61,8 @@ class Component {
 
   /// Where it sits on its robot, m, in the robot's frame.
   virtual Vec3 mount() const { return {}; }
+  /// How it is turned there.
+  virtual Rotation mount_rotation() const { return {}; }
 
   /// Back to the state at the start of the simulation.
   virtual void Reset();

@@ -194,6 +194,22 @@ TEST_F(ServiceTest, ConfigurationsSayWhereADeviceSits) {
   EXPECT_NE(Value("s1r.hokuyo get_properties").Find("properties"), nullptr);
 }
 
+TEST(Configurations, SayHowATiltedLaserIsMounted) {
+  ServedSimulation served(R"({"robots": [{"laser": {"roll": 0.1, "pitch": 0.2, "yaw": 0.3}}]})");
+  LineClient client(served.port());
+  const std::string reply = client.Ask("1 s1r.hokuyo get_configurations");
+  const Json answer = Json::Parse(reply.substr(reply.find('{')));
+  const Json::Array& rows =
+      answer.Find("configurations")->Find("object_to_robot")->Find("rotation")->AsArray();
+  const auto at = [&rows](std::size_t row, std::size_t column) {
+    return rows[row].AsArray()[column].AsDouble();
+  };
+  // As libCCMorse reads them.
+  EXPECT_NEAR(std::atan2(at(2, 1), at(2, 2)), 0.1, 1e-12);
+  EXPECT_NEAR(std::asin(-at(2, 0)), 0.2, 1e-12);
+  EXPECT_NEAR(std::atan2(at(1, 0), at(0, 0)), 0.3, 1e-12);
+}
+
 TEST(RangeSensors, AnswerOverTheServicePort) {
   ServedSimulation served(R"({"robots": [{"pose": {"x": 1.2, "y": 2.0}, "front": "sensors",
                                           "ir": true, "sonar": true}]})");

@@ -261,11 +261,12 @@ void ServiceDirectory::AddComponentServices(sim::Component& component) {
   }
   AddQuery(full_name, {"get_configurations", {}, [&component](Arguments) {
                          Json configurations = component.Configurations();
+                         const auto [x, y, z] = component.mount_rotation();
                          configurations.Set(
                              "object_to_robot",
-                             Json::Object{{"rotation", Json::Array{Json::Array{1.0, 0.0, 0.0},
-                                                                   Json::Array{0.0, 1.0, 0.0},
-                                                                   Json::Array{0.0, 0.0, 1.0}}},
+                             Json::Object{{"rotation", Json::Array{Json::Array{x.x, y.x, z.x},
+                                                                   Json::Array{x.y, y.y, z.y},
+                                                                   Json::Array{x.z, y.z, z.z}}},
                                           {"translation", ToJson(component.mount())}});
                          return Json(Json::Object{{"configurations", std::move(configurations)}});
                        }});

@@ -27,6 +27,7 @@ class LaserScanner : public Sensor {
   void AppendNumbers(std::vector<double>& out) const override;
   Json Configurations() const override;
   Vec3 mount() const override { return def_.position; }
+  Rotation mount_rotation() const override { return fan_.rotation(); }
 
   int Work() const override { return static_cast<int>(fan_.count()); }
 
