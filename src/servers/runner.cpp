@@ -38,7 +38,9 @@ Runner::Runner(sim::Simulation& simulation, const RunOptions& options)
     : simulation_(simulation),
       options_(options),
       morse_(io_, simulation, Control(),
-             {PaceName(options.pace), simulation.scenario().time.read_frequency}, options.morse) {}
+             {PaceName(options.pace), simulation.scenario().time.read_frequency,
+              [this] { return Clock(); }},
+             options.morse) {}
 
 void Runner::AddWatcher(RunWatcher& watcher) {
   watchers_.push_back(&watcher);
@@ -54,7 +56,6 @@ RunControl Runner::Control() {
     return options_.pace == Pace::kRealTime ? "Best Effort" : "Fixed Simulation Step";
   };
   control.time_statistics = [this] { return Statistics(); };
-  control.clock = [this] { return Clock(); };
   control.set_time_scale = [this](double factor) {
     if (options_.pace != Pace::kRealTime) return false;
     options_.factor = factor;

@@ -187,6 +187,9 @@ TEST(RealTime, TheClockTellsWhenDataAreDue) {
     const double time = TimeOf(client.Ask("3 ccmorse read"));
     const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
     EXPECT_GE(now.count(), zero + time);  // never early, however late a busy machine makes it
+    const double sent = seconds(client.Ask("4 ccmorse clock"), "sent");
+    EXPECT_GE(sent, zero + time);
+    EXPECT_LE(sent, now.count());
   }
   ServedSimulation lockstep("{}", Pace::kLockstep);
   EXPECT_EQ(LineClient(lockstep.port()).Ask("1 ccmorse clock"),

@@ -96,7 +96,6 @@ ServiceDirectory::ServiceDirectory(sim::Simulation& simulation, RunControl contr
   AddSimulationServices();
   AddTimeServices();
   AddCommunicationServices();
-  AddOwnServices();
 }
 
 bool ServiceDirectory::HasStream(const sim::Component& component) {
@@ -492,15 +491,6 @@ void ServiceDirectory::AddTimeServices() {
          alarm_ = simulation_.time() + delay;
          sleeper_ = std::move(done);
        }});
-}
-
-void ServiceDirectory::AddOwnServices() {
-  if (!control_.clock) return;
-  AddQuery("ccmorse", {"clock", {}, [this](Arguments) {
-                         Json clock = control_.clock();
-                         if (clock.IsNull()) throw ServiceFailed("Only real time goes by a clock");
-                         return clock;
-                       }});
 }
 
 void ServiceDirectory::TimeAdvanced() {

@@ -23,8 +23,6 @@ struct RunControl {
   std::function<Json()> time_statistics;
   /// Changes simulated seconds per wall second; false when the pace has no such factor.
   std::function<bool(double)> set_time_scale;
-  /// What `ccmorse clock` answers; null at a pace without a clock. Left out: no such service.
-  std::function<Json()> clock = {};
 };
 
 /// Something from outside that changes what is simulated. The views live for the call that hands
@@ -101,7 +99,6 @@ class ServiceDirectory {
   void AddSimulationServices();
   void AddTimeServices();
   void AddCommunicationServices();
-  void AddOwnServices();
   void Add(const std::string& component, sim::Service service);
   /// The same for one that changes nothing simulated.
   void AddQuery(const std::string& component, sim::Service service);
