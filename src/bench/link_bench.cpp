@@ -149,21 +149,27 @@ double Lockstep(Rig& rig, double seconds) {
   return (rig.laser->GetDataTime() - from) / Since(start);
 }
 
-// How long a Read() takes whose data are there already: the request wakes an idle simulator, which
-// answers with a scan and a pose. Seconds, one for each Read().
-std::vector<double> RoundTrips(Rig& rig, double seconds) {
-  std::vector<double> times;
-  const double period = MorseClient::GetInstance().GetReadPeriod();
-  rig.client->Read();
+// How long a Read() that waits for data takes from when they are there to its return, by the
+// machine's clock: since the simulator began to send them, and since they were due.
+struct Delays {
+  std::vector<double> sent;  // s, one for each Read()
+  std::vector<double> due;
+};
+
+Delays RealTime(Rig& rig, double seconds) {
+  MorseClient& morse = MorseClient::GetInstance();
+  Delays delays;
+  for (int i = 0; i < 10; ++i) rig.client->Read();
   const auto start = Clock::now();
-  while (times.size() < 10 || Since(start) < seconds) {
-    // A read that comes a little later than the data were due is answered at once.
-    std::this_thread::sleep_for(std::chrono::duration<double>(1.2 * period));
-    const auto asked = Clock::now();
+  while (delays.due.size() < 10 || Since(start) < seconds) {
     rig.client->Read();
-    times.push_back(Since(asked));
+    const double now = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+    const MorseValue clock = morse.Request("ccmorse", "clock");
+    delays.sent.push_back(now - clock.GetDouble("sent"));
+    delays.due.push_back(now - clock.GetDouble("due") + clock.GetDouble("time") - morse.GetTime());
+    rig.position->SetSpeed(0.0, 0.5);
   }
-  return times;
+  return delays;
 }
 
 // Every cell gets a new colour, none like its neighbours: nothing to compress. Seconds, one for
@@ -196,37 +202,43 @@ int Run(const std::string& ccmorse, double seconds, bool as_json) {
     lockstep[json ? 1 : 0] = Lockstep(rig, seconds);
     canvas[json ? 1 : 0] = Quantile(CanvasUpdates(rig, seconds / 2), 0.5);
   }
-  std::vector<double> trips[2];
+  Delays delays[2];
   const FrequentScenario scenario;
   for (const bool json : {false, true}) {
     Rig rig(ccmorse, scenario.path(), "real", json);
-    trips[json ? 1 : 0] = RoundTrips(rig, seconds * 2);
+    delays[json ? 1 : 0] = RealTime(rig, seconds * 2);
   }
   constexpr double kMicro = 1e6;
   const double ratio = canvas[1] / canvas[0];
   if (as_json) {
     using ccmorse::Json;
-    fmt::print("{}\n", Json(Json::Object{{"lockstep_sim_s_per_wall_s", lockstep[0]},
-                                         {"lockstep_json_sim_s_per_wall_s", lockstep[1]},
-                                         {"read_p50_us", Quantile(trips[0], 0.5) * kMicro},
-                                         {"read_p99_us", Quantile(trips[0], 0.99) * kMicro},
-                                         {"read_json_p50_us", Quantile(trips[1], 0.5) * kMicro},
-                                         {"read_json_p99_us", Quantile(trips[1], 0.99) * kMicro},
-                                         {"canvas_update_us", canvas[0] * kMicro},
-                                         {"canvas_json_update_us", canvas[1] * kMicro},
-                                         {"canvas_ratio", ratio}})
-                           .Dump());
+    fmt::print("{}\n",
+               Json(Json::Object{{"lockstep_sim_s_per_wall_s", lockstep[0]},
+                                 {"lockstep_json_sim_s_per_wall_s", lockstep[1]},
+                                 {"read_p50_us", Quantile(delays[0].sent, 0.5) * kMicro},
+                                 {"read_p99_us", Quantile(delays[0].sent, 0.99) * kMicro},
+                                 {"read_json_p50_us", Quantile(delays[1].sent, 0.5) * kMicro},
+                                 {"read_json_p99_us", Quantile(delays[1].sent, 0.99) * kMicro},
+                                 {"read_from_due_p50_us", Quantile(delays[0].due, 0.5) * kMicro},
+                                 {"read_from_due_p99_us", Quantile(delays[0].due, 0.99) * kMicro},
+                                 {"canvas_update_us", canvas[0] * kMicro},
+                                 {"canvas_json_update_us", canvas[1] * kMicro},
+                                 {"canvas_ratio", ratio}})
+                   .Dump());
     return 0;
   }
   fmt::print("{:<58} {:>10} {:>10}\n", "one robot, laser and position, one client over TCP", "fast",
              "JSON");
   fmt::print("{:<58} {:>10.0f} {:>10.0f}\n",
              "lock-step Read() + SetSpeed(), simulated s per wall s", lockstep[0], lockstep[1]);
-  fmt::print("{:<58} {:>10.1f} {:>10.1f}\n", "Read() in real time, data there, p50, us",
-             Quantile(trips[0], 0.5) * kMicro, Quantile(trips[1], 0.5) * kMicro);
-  fmt::print("{:<58} {:>10.1f} {:>10.1f}\n",
-             fmt::format("  the same, p99 of {}, us", trips[0].size()),
-             Quantile(trips[0], 0.99) * kMicro, Quantile(trips[1], 0.99) * kMicro);
+  const auto row = [&](const std::string& what, std::vector<double> Delays::*since, double share) {
+    fmt::print("{:<58} {:>10.1f} {:>10.1f}\n", what, Quantile(delays[0].*since, share) * kMicro,
+               Quantile(delays[1].*since, share) * kMicro);
+  };
+  row("Read() in real time, since data were sent, p50, us", &Delays::sent, 0.5);
+  row(fmt::format("  the same, p99 of {}, us", delays[0].sent.size()), &Delays::sent, 0.99);
+  row("  since they were due, p50, us", &Delays::due, 0.5);
+  row("  the same, p99, us", &Delays::due, 0.99);
   fmt::print("{:<58} {:>10.1f} {:>10.1f}\n",
              fmt::format("all {} x {} cells of the canvas new, us", kWidth, kHeight),
              canvas[0] * kMicro, canvas[1] * kMicro);

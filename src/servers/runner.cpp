@@ -15,6 +15,9 @@ namespace {
 constexpr auto kFarewell = std::chrono::seconds(2);          // for clients, once the run is over
 constexpr auto kGiveUpCatchingUp = std::chrono::seconds(1);  // real time: how far behind is too far
 constexpr auto kStayAwake = std::chrono::microseconds(100);  // in lock-step, for the next request
+// In real time, before data are due: waking from sleep takes tens of microseconds, and where
+// somebody waits for the data the thread is to be awake then.
+constexpr auto kWakeEarly = std::chrono::microseconds(200);
 constexpr int kHandlersPerTick = 64;  // at full speed, so that no flood of requests stops time
 
 }  // namespace
@@ -35,7 +38,9 @@ Runner::Runner(sim::Simulation& simulation, const RunOptions& options)
     : simulation_(simulation),
       options_(options),
       morse_(io_, simulation, Control(),
-             {PaceName(options.pace), simulation.scenario().time.read_frequency}, options.morse) {}
+             {PaceName(options.pace), simulation.scenario().time.read_frequency,
+              [this] { return Clock(); }},
+             options.morse) {}
 
 void Runner::AddWatcher(RunWatcher& watcher) {
   watchers_.push_back(&watcher);
@@ -59,6 +64,22 @@ RunControl Runner::Control() {
     return true;
   };
   return control;
+}
+
+Json Runner::Clock() const {
+  if (options_.pace != Pace::kRealTime) return {};
+  // What the sensors show now was due when the tick before was: they look right after it.
+  const double due = std::chrono::duration<double>(Due(-1.0).time_since_epoch()).count();
+  return Json(
+      Json::Object{{"time", simulation_.time()}, {"due", due}, {"factor", options_.factor}});
+}
+
+Runner::WallClock::time_point Runner::Due(double later) const {
+  const double ticks =
+      static_cast<double>(simulation_.tick()) - static_cast<double>(pace_tick_) + later;
+  const double seconds = ticks / simulation_.scenario().time.frequency / options_.factor;
+  return pace_base_ +
+         std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(seconds));
 }
 
 Json Runner::Statistics() const {
@@ -128,10 +149,7 @@ RunSummary Runner::Run() {
 void Runner::WaitForTurn() {
   switch (options_.pace) {
     case Pace::kRealTime: {
-      const double ticks = static_cast<double>(simulation_.tick() - pace_tick_);
-      const double seconds = ticks / simulation_.scenario().time.frequency / options_.factor;
-      const auto due = pace_base_ + std::chrono::duration_cast<WallClock::duration>(
-                                        std::chrono::duration<double>(seconds));
+      const auto due = Due(0.0);
       const auto now = WallClock::now();
       if (now - due > kGiveUpCatchingUp) {
         LogWarning("the simulation is {:.1f} s behind real time and goes on from here",
@@ -140,8 +158,8 @@ void Runner::WaitForTurn() {
         pace_tick_ = simulation_.tick();
       }
       ServeWhatIsThere();
-      while (!stop_ && io_.run_one_until(due) > 0) {
-      }
+      SleepUntil(morse_.HasReaders() ? due - kWakeEarly : due);
+      while (!stop_ && WallClock::now() < due) io_.poll_one();
       return;
     }
     case Pace::kLockstep:
@@ -158,6 +176,18 @@ void Runner::ServeWhatIsThere() {
   io_.restart();
   for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
   }
+}
+
+// By a timer of its own: run_one_until() is late by up to a millisecond.
+void Runner::SleepUntil(WallClock::time_point time) {
+  if (WallClock::now() >= time) return;
+  bell_rang_ = false;
+  bell_.expires_at(time);
+  bell_.async_wait([this](boost::system::error_code error) {
+    if (!error) bell_rang_ = true;
+  });
+  while (!stop_ && !bell_rang_) io_.run_one();
+  bell_.cancel();
 }
 
 void Runner::WaitForClients() {

@@ -75,9 +75,13 @@ class Runner {
 
   RunControl Control();
   Json Statistics() const;
+  Json Clock() const;
+  // Real time: when the tick is to act that is so many ticks later than the next.
+  WallClock::time_point Due(double later) const;
   void WaitForTurn();
   void ServeWhatIsThere();
   void WaitForClients();
+  void SleepUntil(WallClock::time_point time);  // and serve meanwhile
   void CountTick();
   void LetClientsFinish();
   bool Over() const;
@@ -87,6 +91,8 @@ class Runner {
   RunOptions options_;
   MorseServer morse_;
   std::atomic<bool> stop_ = false;
+  boost::asio::steady_timer bell_{io_};
+  bool bell_rang_ = false;
   std::optional<boost::asio::steady_timer> patience_;  // runs since StopAfterClients()
   WallClock::time_point start_;                        // of the first step
   WallClock::time_point pace_base_;  // real time: when pace_tick_ was or will be due

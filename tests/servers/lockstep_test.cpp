@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <memory>
 
 #include "base/json.h"
@@ -171,6 +172,28 @@ TEST(RealTime, AReadWaitsForTheNextDataAndASlowReaderGetsTheNewest) {
   const double late = TimeOf(client.Ask("4 ccmorse read"));
   EXPECT_GE(late, second + 0.4);
   EXPECT_EQ(client.Ask("5 ccmorse peek [2]"), "5 SUCCESS true");
+}
+
+TEST(RealTime, TheClockTellsWhenDataAreDue) {
+  ServedSimulation served(R"({"time": {"read_frequency": 60}})");
+  LineClient client(served.port());
+  client.Ask("1 ccmorse read");
+  const auto seconds = [](const std::string& reply, const char* key) {
+    return Json::Parse(reply.substr(reply.find('{'))).Find(key)->AsDouble();
+  };
+  const std::string clock = client.Ask("2 ccmorse clock");
+  const double zero = seconds(clock, "due") - seconds(clock, "time");
+  for (int i = 0; i < 30; ++i) {
+    const double time = TimeOf(client.Ask("3 ccmorse read"));
+    const std::chrono::duration<double> now = std::chrono::steady_clock::now().time_since_epoch();
+    EXPECT_GE(now.count(), zero + time);  // never early, however late a busy machine makes it
+    const double sent = seconds(client.Ask("4 ccmorse clock"), "sent");
+    EXPECT_GE(sent, zero + time);
+    EXPECT_LE(sent, now.count());
+  }
+  ServedSimulation lockstep("{}", Pace::kLockstep);
+  EXPECT_EQ(LineClient(lockstep.port()).Ask("1 ccmorse clock"),
+            "1 FAILED \"Only real time goes by a clock\"");
 }
 
 TEST(RealTime, HelloSaysWhatRuns) {

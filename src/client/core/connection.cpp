@@ -44,6 +44,8 @@ constexpr auto kLongestSleep = std::chrono::milliseconds(500);
 // Before it sleeps it stays awake this long, and leaves the processor to whoever wants it: answers
 // that come within microseconds are not to wait for the tens of microseconds that waking takes.
 constexpr auto kStayAwake = std::chrono::microseconds(100);
+// The same around the time at which an answer is expected.
+constexpr auto kWakeEarly = std::chrono::microseconds(200);
 constexpr std::size_t kReadBlock = std::size_t{64} << 10;
 
 Clock::duration Seconds(double seconds) {
@@ -162,8 +164,15 @@ struct Connection::Impl {
   enum class Came { kBytes, kEnd, kError, kNothing };
 
   // Waits for bytes, for room to send with `to_send`, for Wake() or until the time has come.
-  Came Receive(Clock::time_point until, bool to_send) {
-    const auto awake_until = std::min(until, Clock::now() + kStayAwake);
+  Came Receive(Clock::time_point until, Clock::time_point expected, bool to_send) {
+    const auto start = Clock::now();
+    auto awake_until = start + kStayAwake;
+    if (start < expected - kWakeEarly) {
+      until = std::min(until, expected - kWakeEarly);
+    } else {
+      awake_until = std::max(awake_until, expected + kWakeEarly);
+    }
+    awake_until = std::min(until, awake_until);
     bool slept = false;
     for (;;) {
       const ssize_t size = splitter ? ReceiveTo(splitter->Space(kReadBlock), kReadBlock)
@@ -177,8 +186,9 @@ struct Connection::Impl {
         return Came::kError;
       }
       if (slept || woken.exchange(false)) return Came::kNothing;
-      if (Clock::now() < awake_until) {
-        std::this_thread::yield();
+      const auto now = Clock::now();
+      if (now < awake_until) {
+        if (now < expected - kWakeEarly || now > expected + kWakeEarly) std::this_thread::yield();
         continue;
       }
       Sleep(until, to_send);
@@ -432,7 +442,8 @@ struct Connection::Impl {
 
   // Waits, pumping when nobody else does, until something happens or until the time has come.
   // `lock` is held on entry and exit. Returns on any event, so callers loop.
-  void PumpOnce(std::unique_lock<std::mutex>& lock, Clock::time_point until) {
+  void PumpOnce(std::unique_lock<std::mutex>& lock, Clock::time_point until,
+                Clock::time_point expected = {}) {
     until = std::min(until, Clock::now() + kLongestSleep);
     if (pumping) {
       changed.wait_until(lock, until);
@@ -441,7 +452,7 @@ struct Connection::Impl {
     pumping = true;
     const bool to_send = unsent();
     lock.unlock();
-    const Came came = Receive(until, to_send);
+    const Came came = Receive(until, expected, to_send);
     lock.lock();
     pumping = false;
     if (unsent()) SendSome();
@@ -652,7 +663,7 @@ Connection::Outcome Connection::Wait(const std::shared_ptr<Batch>& batch, const 
         until = pinged + kSilenceAfterPing;
       }
     }
-    impl_->PumpOnce(lock, until);
+    impl_->PumpOnce(lock, until, patience.expected);
   }
   return Outcome::kDone;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -60,6 +61,9 @@ class Connection {
     double timeout = 0.0;
     /// 0, or fail after this many seconds without anything from the simulator (no pings).
     double silence = 0.0;
+    /// When the answer is likely to come: it is waited for awake around then. In the past: nobody
+    /// knows.
+    std::chrono::steady_clock::time_point expected{};
     /// Wait() gives up when it becomes true (after Wake()).
     const std::atomic<bool>* abandon = nullptr;
   };

@@ -161,6 +161,7 @@ struct MorseClient::Impl {
   std::uint64_t reads = 0;
   bool peeked = true;  // since the last Read(); true before the first one
   Clock::time_point last_read{};
+  Clock::time_point read_before{};  // the one before the last
   double request_timeout = kRequestTimeout;
   int retry_limit = 0;
   double retry_time = 2.0;
@@ -479,7 +480,7 @@ void MorseClient::ReadOnce(bool may_abandon) {
     if (finished) {
       ++impl.reads;
       impl.peeked = false;
-      impl.last_read = Clock::now();
+      impl.read_before = std::exchange(impl.last_read, Clock::now());
     }
     impl.state_changed.notify_all();
   };
@@ -490,6 +491,9 @@ void MorseClient::ReadOnce(bool may_abandon) {
     if (!round) round = fast ? impl.SendFastRead() : impl.SendQueries();
     Connection::Patience patience;
     if (may_abandon) patience.abandon = &impl.stop_thread;
+    // In real time data come at regular intervals.
+    if (impl.reads > 1 && impl.pace == "realtime")
+      patience.expected = impl.last_read + (impl.last_read - impl.read_before);
     if (impl.connection.Wait(round->batch, patience, kReadFunction) ==
         Connection::Outcome::kAbandoned) {
       impl.unfinished = round;

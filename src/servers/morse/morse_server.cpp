@@ -410,6 +410,10 @@ class MorseServer::ServiceConnection
       TakeName(request.parameters);
       return true;
     }
+    if (request.service == "clock") {
+      ServeClock(request.id);
+      return true;
+    }
     if (request.service == "fast_link") {
       StartFastLink(request);
       return true;
@@ -419,6 +423,15 @@ class MorseServer::ServiceConnection
       return true;
     }
     return false;
+  }
+
+  void ServeClock(std::string_view id) {
+    Json clock = shared_.pace.clock ? shared_.pace.clock() : Json();
+    if (clock.IsNull()) {
+      return Reply(id, {Outcome::kFailed, Json("Only real time goes by a clock")});
+    }
+    clock.Set("sent", std::chrono::duration<double>(sent_.time_since_epoch()).count());
+    Reply(id, {Outcome::kSuccess, std::move(clock)});
   }
 
   // hello's {"client": "text", "program": "text"}, for the log.
@@ -504,6 +517,7 @@ class MorseServer::ServiceConnection
       return;
     }
     ++next_read_;
+    sent_ = Clock::now();
     const double seconds =
         static_cast<double>(shared_.sensed_tick) / shared_.simulation.scenario().time.frequency;
     if (!read_is_fast_) {
@@ -592,6 +606,7 @@ class MorseServer::ServiceConnection
   std::string read_id_;        // it came as a line
   Clock::time_point read_since_{};
   Clock::time_point heard_ = Clock::now();
+  Clock::time_point sent_{};  // the answer to the last read
   std::optional<std::string> peek_id_;
   std::uint64_t next_read_ = 0;
   bool joined_ = false;

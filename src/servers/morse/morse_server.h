@@ -3,6 +3,7 @@
 #include <boost/asio/io_context.hpp>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -39,6 +40,8 @@ class MorseServer {
   struct Pace {
     std::string name = "realtime";  ///< "realtime", "lockstep" or "max"
     double read_frequency = 10.0;   ///< Hz of simulated time
+    /// Real time: when the newest data were due, what `ccmorse clock` tells of it; else null.
+    std::function<Json()> clock = {};
   };
 
   /// Listens. Throws Error that names the port when it is taken. `control.stream_port` is filled
