@@ -114,6 +114,10 @@ class Sensor : public Component {
   using Component::Component;
   virtual void Sample(const Instant& now) = 0;
 
+  /// Called on one thread before sensors that are due sample at the same time: whatever is made
+  /// when first needed may be made here. May throw, as Sample() must not.
+  virtual void Prepare() {}
+
   /// About how much a sample costs, in beams of a scanner: work is split over threads by it.
   virtual int Work() const { return 1; }
   /// The data as bare numbers, the same as in LocalData(), for those who have no need of text.

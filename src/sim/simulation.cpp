@@ -19,19 +19,19 @@ int Threads(int asked, std::size_t robots) {
 
 }  // namespace
 
-Simulation::Simulation(scene::Scenario scenario, int threads)
+Simulation::Simulation(scene::Scenario scenario, int threads, bool share_all)
     : scenario_(std::move(scenario)),
       world_(scenario_.world),
       canvas_(scenario_.canvas, scenario_.world.size_x, scenario_.world.size_y),
       pool_(Threads(threads, scenario_.robots.size())),
-      shared_from_(threads > 0 ? 1 : kShared) {
+      shared_from_(share_all ? 1 : kShared) {
   // Robots are worked on in the order of their names, so that the order in the file has no effect.
   std::vector<scene::RobotDef> defs = scenario_.robots;
   std::sort(defs.begin(), defs.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   for (const scene::RobotDef& def : defs) {
     robots_.push_back(std::make_unique<Robot>(def, static_cast<int>(robots_.size())));
   }
-  motion_.emplace(world_, robots_, threads > 0 ? 1 : kSharedMotion);
+  motion_.emplace(world_, robots_, share_all ? 1 : kSharedMotion);
   std::vector<const Robot*> seen;
   for (const auto& robot : robots_) seen.push_back(robot.get());
   world_.SetRobots(seen);
@@ -68,6 +68,7 @@ void Simulation::Sense() {
     sample(0, sampled_.size());
     return;
   }
+  for (Sensor* sensor : sampled_) sensor->Prepare();
   // A robot's sensors all fall to one thread, in their order, as they add to the robot's hash.
   const auto boundary = [&](std::size_t part) {
     std::size_t i = sampled_.size() * part / threads;

@@ -22,10 +22,11 @@ namespace ccmorse::sim {
 /// whatever the number of threads. One thread at a time may use it.
 class Simulation {
  public:
-  /// `threads` share the work of every tick; 0: as many as the machine and the number of robots
-  /// make sensible, where there is enough of it. They change nothing but the time it takes. Throws
-  /// Error when the scenario cannot be (it was checked when it was read).
-  explicit Simulation(scene::Scenario scenario, int threads = 0);
+  /// `threads` share the work of a tick where there is enough of it; 0: as many as the machine and
+  /// the number of robots make sensible. They change nothing but the time it takes. `share_all`,
+  /// for tests: they share every tick's, however little. Throws Error when the scenario cannot be
+  /// (it was checked when it was read).
+  explicit Simulation(scene::Scenario scenario, int threads = 0, bool share_all = false);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
@@ -56,7 +57,8 @@ class Simulation {
   Canvas& canvas() { return canvas_; }
   const Canvas& canvas() const { return canvas_; }
 
-  /// Robots and devices as at the start; time goes on (MORSE's reset_objects).
+  /// Robots and devices as at the start; time goes on (MORSE's reset_objects). Boxes stay as they
+  /// are: it is for the caller not to have raised one where a robot starts.
   void ResetObjects();
 
   /// With physics off, actuators act but nothing moves (MORSE's suspend_dynamics).

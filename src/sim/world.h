@@ -28,7 +28,8 @@ class World {
 
   const scene::World& scene() const { return scene_; }
 
-  /// Raises or lowers a dynamic box, by id. Throws Error on an unknown id or one that cannot move.
+  /// Raises or lowers a dynamic box, by id, whoever may stand there: that is for the caller to see
+  /// to. Throws Error on an unknown id or one that cannot move.
   void SetRaised(int box_id, bool raised);
 
   /// The boxes that stand, and what of meshes is in the way, as obstacles to motion.

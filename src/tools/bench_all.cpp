@@ -134,8 +134,8 @@ std::string Verdict(const Row& row, const FiguresByBenchmark& figures) {
   const auto measured = Measured(row, figures);
   const auto aim = Aim(row, figures);
   if (!measured) return "not measured";
-  if (aim && Meets(row, *measured, *aim)) return "yes, and the aim";
-  return Meets(row, *measured, row.required) ? "yes" : "NO";
+  if (!Meets(row, *measured, row.required)) return "NO";
+  return aim && Meets(row, *measured, *aim) ? "yes, and the aim" : "yes";
 }
 
 std::string NumberText(const std::optional<double>& value) {

@@ -1,10 +1,13 @@
 // The `ccmorse` program: reads the command line and hands over to the sub-command.
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <string>
 
 #include "base/error.h"
@@ -17,6 +20,19 @@
 #include "tools/run_command.h"
 
 namespace {
+
+// A number from low to high; NaN, which CLI::Range takes, is none.
+CLI::Validator Within(double low, double high) {
+  return {[low, high](const std::string& text) -> std::string {
+            double value = std::numeric_limits<double>::quiet_NaN();
+            const char* const end = text.data() + text.size();
+            const auto read = std::from_chars(text.data(), end, value);
+            const bool fine =
+                read.ec == std::errc{} && read.ptr == end && value >= low && value <= high;
+            return fine ? "" : fmt::format("{} is no number from {} to {}", text, low, high);
+          },
+          ""};
+}
 
 void AddBatchOptions(CLI::App& command, ccmorse::tools::BatchArguments& batch) {
   command.add_option("manifest", batch.manifest, "the jobs, as JSON (docs/batch.md)")
@@ -68,22 +84,10 @@ void AddBatchOptions(CLI::App& command, ccmorse::tools::BatchArguments& batch) {
       "Exit status: 0 when every job has a result, good or bad; 1 after an error.");
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int Run(int argc, char** argv) {
   CLI::App app{"ccmorse - robots for programs written for Player, MORSE and SyRoTek", "ccmorse"};
   app.set_version_flag("--version", std::string("ccmorse ") + CCMORSE_VERSION);
   app.require_subcommand(0, 1);
-  app.footer(
-      "Examples:\n"
-      "  ccmorse run syrotek                      the SyRoTek arena with one S1R, in real time\n"
-      "  ccmorse run docks --port 4100            13 robots in their docks, on another port\n"
-      "  ccmorse run my_scene.json --pace lockstep --for 120 --picture out/run.png\n"
-      "  ccmorse run syrotek --record run.mcap    with a record of all that happens\n"
-      "  ccmorse replay run.mcap --verify         does that run come out the same again?\n"
-      "  ccmorse list                             the scenarios there are\n"
-      "`ccmorse run --help` explains the options of a run.");
-
   ccmorse::tools::RunArguments run;
   CLI::App* const run_command = app.add_subcommand("run", "simulate a scenario and serve clients");
   run_command->add_option("scenario", run.scenario, "a scenario's name or path (see ccmorse list)")
@@ -101,7 +105,7 @@ int main(int argc, char** argv) {
           "--client-timeout", run.client_timeout,
           "in lock-step, let a client go that keeps others waiting and has sent nothing for "
           "so long, in wall-clock time; 0: never  [10]")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(Within(0.0, 1e6))
       ->type_name("SECONDS");
   run_command
       ->add_option("--pace", run.pace,
@@ -110,7 +114,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"real", "lockstep", "max"}))
       ->type_name("PACE");
   run_command->add_option("--for", run.seconds, "stop after this much simulated time  [never]")
-      ->check(CLI::Range(0.001, 1e9))
+      ->check(Within(0.001, 1e9))
       ->type_name("SECONDS");
   run_command
       ->add_option("--threads", run.threads,
@@ -192,16 +196,17 @@ int main(int argc, char** argv) {
       ->excludes(verify)
       ->type_name("FACTOR");
   replay_command->add_option("--from", replay.from, "where to begin  [0]")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(Within(0.0, 1e9))
       ->excludes(verify)
       ->type_name("SECONDS");
   replay_command->add_option("--to", replay.to, "where to stop  [the end]")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(Within(0.0, 1e9))
       ->excludes(verify)
       ->type_name("SECONDS");
   replay_command->footer(
       "Examples:\n"
-      "  ccmorse replay run.mcap --verify         status 0: equal; 1: it differs; 2: no use\n"
+      "  ccmorse replay run.mcap --verify         status 0: equal; 1: it differs; 2: no use; 3: "
+      "not whole\n"
       "  ccmorse replay run.mcap --from 40 --speed 4\n"
       "  ccmorse replay run.mcap --to 12.5 --speed max\n"
       "docs/records.md tells what a record holds and how to open it elsewhere.");
@@ -222,7 +227,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 10000))
       ->type_name("N");
   fleet_command->add_option("--seconds", fleet.seconds, "simulated time  [10]")
-      ->check(CLI::Range(0.1, 1e6))
+      ->check(Within(0.1, 1e6))
       ->type_name("S");
   fleet_command
       ->add_option("--threads", fleet.threads,
@@ -234,14 +239,14 @@ int main(int argc, char** argv) {
   CLI::App* const rays_command =
       bench_command->add_subcommand("rays", "scans on one core, in two arenas");
   rays_command->add_option("--seconds", rays.seconds, "wall-clock time for each figure  [1]")
-      ->check(CLI::Range(0.01, 1e3))
+      ->check(Within(0.01, 1e3))
       ->type_name("S");
   rays_command->add_flag("--json", rays.json, "one JSON object instead of a table");
   ccmorse::tools::BenchProgramArguments link;
   CLI::App* const link_command = bench_command->add_subcommand(
       "link", "a client's Read() and canvas updates over TCP, by the fast link and by JSON");
   link_command->add_option("--seconds", link.seconds, "wall-clock time of each measurement  [2]")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(Within(0.01, 1000.0))
       ->type_name("S");
   link_command->add_flag("--json", link.json, "one JSON object instead of a table");
   ccmorse::tools::BenchProgramArguments embree;
@@ -249,7 +254,7 @@ int main(int argc, char** argv) {
       "embree", "rays against triangles among 1,000 robots on one core, beside Embree alone");
   embree_command
       ->add_option("--seconds", embree.seconds, "wall-clock time of each measurement  [2]")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(Within(0.01, 1000.0))
       ->type_name("S");
   embree_command->add_flag("--json", embree.json, "one JSON object instead of a table");
 
@@ -258,9 +263,20 @@ int main(int argc, char** argv) {
       "all", "everything, as one table with what is required (docs/performance.md)");
   all_command
       ->add_option("--seconds", all.seconds, "wall-clock time of each measurement of a fleet  [4]")
-      ->check(CLI::Range(0.01, 1e3))
+      ->check(Within(0.01, 1e3))
       ->type_name("S");
   all_command->add_flag("--json", all.json, "one JSON object instead of a table");
+
+  // Last, as sub-commands inherit what is there when they are made.
+  app.footer(
+      "Examples:\n"
+      "  ccmorse run syrotek                      the SyRoTek arena with one S1R, in real time\n"
+      "  ccmorse run docks --port 4100            13 robots in their docks, on another port\n"
+      "  ccmorse run my_scene.json --pace lockstep --for 120 --picture out/run.png\n"
+      "  ccmorse run syrotek --record run.mcap    with a record of all that happens\n"
+      "  ccmorse replay run.mcap --verify         does that run come out the same again?\n"
+      "  ccmorse list                             the scenarios there are\n"
+      "`ccmorse run --help` explains the options of a run.");
 
   try {
     app.parse(argc, argv);
@@ -288,4 +304,14 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "ccmorse: unexpected: %s\n", error.what());
     return 1;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int status = Run(argc, argv);
+  // What could not be written, to a full disk say, must not look like success.
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  std::fprintf(stderr, "ccmorse: cannot write to standard output\n");
+  return status == 0 ? 1 : status;
 }

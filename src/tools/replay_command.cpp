@@ -22,6 +22,7 @@ using WallClock = std::chrono::steady_clock;
 
 constexpr int kDiffers = 1;
 constexpr int kNoUse = 2;
+constexpr int kNotWhole = 3;                            // equal, but the record has no end
 constexpr auto kFrame = std::chrono::milliseconds(40);  // wall time from one look to the next
 constexpr std::size_t kMostShown = 3;                   // robots
 
@@ -66,8 +67,10 @@ void PrintDifference(const servers::Replay& replay) {
 
 void PrintIfBrokenOff(const servers::Replay& replay) {
   if (replay.info().complete) return;
-  fmt::print("The record breaks off: its run was killed. It can be replayed up to {:.3f} s.\n",
-             replay.duration());
+  fmt::print(
+      "The record is not whole: its run was killed, or the file was cut. It can be replayed "
+      "up to {:.3f} s.\n",
+      replay.duration());
 }
 
 int Verify(servers::Replay& replay) {
@@ -78,9 +81,10 @@ int Verify(servers::Replay& replay) {
     PrintDifference(replay);
     return kDiffers;
   }
-  fmt::print("equal: {} ticks ({:.3f} s), hash {:016x}\n", replay.simulation().tick(),
+  fmt::print("equal{}: {} ticks ({:.3f} s), hash {:016x}\n",
+             replay.info().complete ? "" : " as far as it goes", replay.simulation().tick(),
              replay.simulation().time(), replay.simulation().Hash());
-  return 0;
+  return replay.info().complete ? 0 : kNotWhole;
 }
 
 // Time and robots in one line.
@@ -149,8 +153,11 @@ int Play(servers::Replay& replay, const ReplayArguments& arguments) {
   const double half_tick = 0.5 / replay.info().scenario.time.frequency;
   const double to = std::min(arguments.to.value_or(replay.duration()), replay.duration());
   if (arguments.from > replay.duration()) {
-    throw Error(fmt::format("--from {} is behind the record's end at {:.3f} s", arguments.from,
+    throw Error(fmt::format("--from {} is after the record's end at {:.3f} s", arguments.from,
                             replay.duration()));
+  }
+  if (arguments.to && *arguments.to < arguments.from) {
+    throw Error(fmt::format("--to {} is before --from {}", *arguments.to, arguments.from));
   }
   replay.Seek(arguments.from);
   Progress progress(replay);

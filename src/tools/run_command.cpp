@@ -11,6 +11,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <thread>
+#include <vector>
 
 #include "base/error.h"
 #include "base/log.h"
@@ -44,6 +46,20 @@ void PrepareFile(const std::string& file) {
     throw Error("cannot write " + file + ": " + std::strerror(errno));
   }
   if (!existed) std::filesystem::remove(file, failed);
+}
+
+// Each file would be written over by the next.
+void RequireDifferent(const std::vector<std::string>& files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (files[i].empty() || std::filesystem::weakly_canonical(files[i]) !=
+                                  std::filesystem::weakly_canonical(files[k])) {
+        continue;
+      }
+      throw Error("picture, report and record are files of their own, but two are called " +
+                  files[i]);
+    }
+  }
 }
 
 struct LaserUse {
@@ -156,6 +172,7 @@ int Run(const RunArguments& arguments) {
   options.morse.bind = arguments.bind;
   options.morse.port = arguments.port;
   options.morse.first_stream_port = arguments.stream_port;
+  RequireDifferent({arguments.picture, arguments.report, arguments.record});
   PrepareFile(arguments.picture);
   PrepareFile(arguments.report);
   PrepareFile(arguments.record);
@@ -163,6 +180,10 @@ int Run(const RunArguments& arguments) {
   std::filesystem::create_directories(arguments.out, failed);
   if (failed) throw Error("cannot make the folder " + arguments.out + ": " + failed.message());
 
+  if (arguments.threads > static_cast<int>(std::thread::hardware_concurrency())) {
+    LogWarning("{} threads are more than this machine's {} processors and only cost time",
+               arguments.threads, std::thread::hardware_concurrency());
+  }
   sim::Simulation simulation(std::move(scenario), arguments.threads);
   simulation.canvas().set_picture_folder(arguments.out);
   servers::Runner runner(simulation, options);
@@ -176,6 +197,8 @@ int Run(const RunArguments& arguments) {
     runner.AddWatcher(recorder.emplace(simulation, arguments.record, record));
   }
 
+  // Whoever reads our output may stop reading (`| head`); the run and its record go on.
+  std::signal(SIGPIPE, SIG_IGN);
   boost::asio::signal_set signals(runner.io(), SIGINT, SIGTERM, SIGHUP);
   signals.async_wait([&runner](boost::system::error_code error, int signal) {
     if (error) return;

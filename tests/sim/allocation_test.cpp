@@ -75,7 +75,7 @@ scene::Scenario Crowd() {
 class Allocation : public testing::TestWithParam<int> {};
 
 TEST_P(Allocation, ATickAllocatesNothingAfterWarmUp) {
-  Simulation simulation(Crowd(), GetParam());
+  Simulation simulation(Crowd(), GetParam(), true);
   std::vector<MotionVW*> motions;
   for (const auto& robot : simulation.robots()) {
     motions.push_back(dynamic_cast<MotionVW*>(simulation.FindComponent(robot->name() + ".motion")));

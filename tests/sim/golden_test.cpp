@@ -153,7 +153,7 @@ std::uint64_t Hash(const Scene& scene, int threads) {
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
     text += (i == 0 ? "" : ", ") + scene.robots[i];
   }
-  Simulation simulation(scene::ParseScenario(text + "]}", "golden.json"), threads);
+  Simulation simulation(scene::ParseScenario(text + "]}", "golden.json"), threads, true);
   for (int i = 0; i < scene.ticks; ++i) {
     simulation.Sense();
     Drive(simulation);

@@ -747,5 +747,71 @@ TEST(BeamFan, ALoneLayerIsLevelAndNotTurned) {
   EXPECT_NEAR(std::atan2(fan.Direction(0).y, fan.Direction(0).x), -Radians(135.0), 1e-12);
 }
 
+// The state of a robot that stands before a contact, with a sensor on its rim.
+TEST(RangeEngine, ASensorThatAllButTouchesAWallSeesIt) {
+  std::mt19937_64 random(4);
+  const auto uniform = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (const double extent : {4.0, 100.0, 1000.0}) {
+    for (int i = 0; i < 300; ++i) {
+      const Pose2 wall{uniform(0.2, 0.8) * extent, uniform(0.2, 0.8) * extent, uniform(-4, 4)};
+      const auto corners = BoxCorners(wall, 0.4, 1.0);
+      TriangleSet set;
+      set.AddPrism(corners, 0.0, 1.0, {HitKind::kBox, 1, 0});
+      EmbreeScene triangles;
+      triangles.Build({set}, {}, {}, extent);
+      triangles.Commit();
+      const double off = std::pow(10.0, uniform(-9, -5));
+      const Vec2 at = Transform(wall, {-0.2 - off, uniform(-0.4, 0.4)});
+      const auto [s, c] = SinCos(wall.yaw);
+      const Ray ray{{at.x, at.y, 0.5}, {c, s, 0.0}};
+      RayHit hit;
+      triangles.Trace({&ray, 1}, 5.0, -1, {&hit, 1});
+      ASSERT_NEAR(hit.distance, off, 1e-9) << "extent " << extent;
+      ASSERT_GE(hit.distance, 0.0);
+      const Vec3 behind = ray.origin + 0.1 * ray.direction;
+      ASSERT_TRUE(triangles.IsBlocked(ray.origin, behind));
+
+      PlanarWorld planar;
+      planar.Add(corners);
+      planar.Finish();
+      PlanarScanner scanner(1, 0.0, 0.1, 5.0);
+      double range = 0.0;
+      scanner.Scan({at.x, at.y, wall.yaw}, planar, {}, -1, {&range, 1});
+      ASSERT_NEAR(range, off, 1e-9);
+    }
+  }
+  // So near that the edge and the sensor make no area.
+  PlanarWorld planar;
+  planar.Add(BoxCorners({1.0, 0.0, 0.0}, 0.2, 1.0));
+  planar.Finish();
+  PlanarScanner scanner(1, 0.0, 0.1, 5.0);
+  double range = 0.0;
+  scanner.Scan({0.9 - 1e-13, 0.1, 0.0}, planar, {}, -1, {&range, 1});
+  EXPECT_NEAR(range, 0.0, 1e-9);
+}
+
+// A long low wall's triangles end in thin tips; this ray goes through one closely beside its edge.
+TEST(RangeEngine, NoRaySlipsThroughBesideATipWhateverTheInstructionSet) {
+  const double s = std::sin(0.3);
+  const double c = std::cos(0.3);
+  const auto at = [&](double x, double y) { return Vec2{3 + c * x - s * y, 10 + s * x + c * y}; };
+  const Vec2 outline[] = {at(90, 0.2), at(0, 0.2), at(0, 0), at(90, 0)};
+  TriangleSet set;
+  set.AddPrism(outline, 0.0, 0.13, {HitKind::kBox, 1, 0});
+  const Ray ray{{88.07845788656158, 36.212346599673054, 0.48531075730506085},
+                {0.86056472647299431, 0.37009975761418612, -0.3499350239178432}};
+  for (const char* const isa : {"sse2", "sse4.2", "avx2"}) {
+    if (std::string(isa) == "avx2" && !__builtin_cpu_supports("avx2")) continue;
+    EmbreeScene triangles(isa);
+    triangles.Build({set}, {}, {}, 100.0);
+    triangles.Commit();
+    RayHit hit;
+    triangles.Trace({&ray, 1}, 10.0, -1, {&hit, 1});
+    EXPECT_NEAR(hit.distance, 1.01548274, 1e-6) << isa;
+  }
+}
+
 }  // namespace
 }  // namespace ccmorse::sim

@@ -69,8 +69,9 @@ Vec3 Grown(const Vec3& a, const Vec3& b, const Vec3& c, double area, double by) 
   const Vec3 from_c = a - c;
   const double length_b = Length(from_b);
   const double length_c = Length(from_c);
-  // A needle's tip would go far away, and much would lie in its way.
-  const double reach = std::min(by * length_b * length_c / area, 4.0 * by);
+  // A needle's tip would go far away, and much would lie in its way. With less room than this,
+  // rays would slip through beside the tips of triangles as long and thin as a wall's.
+  const double reach = std::min(by * length_b * length_c / area, 64.0 * by);
   return a + (reach / length_b) * from_b + (reach / length_c) * from_c;
 }
 
@@ -144,17 +145,18 @@ void KeepNearestOf(const RTCFilterFunctionNArguments* offer) {
     const unsigned id = RTCRayN_id(offer->ray, count, i);
     float& tfar = RTCRayN_tfar(offer->ray, count, i);  // where Embree sees the hit
     Lane& lane = context.lanes[id];
-    if (within * std::fabs(facing) > geometry.doubt[triangle]) {
+    const double distance_seen = tfar - context.search_on;  // from the ray's own origin
+    if (within * std::fabs(facing) > geometry.doubt[triangle] &&
+        distance_seen > context.search_on) {
       if (geometry.set.closed && facing > 0.0F) {
         offer->valid[i] = 0;
         continue;
       }
-      const double distance = tfar;
-      if (distance < lane.distance - context.search_on) {
-        lane = {distance, &geometry, triangle, mover, false};
+      if (distance_seen < lane.distance - context.search_on) {
+        lane = {distance_seen, &geometry, triangle, mover, false};
         // A little beyond the hit, as what is in truth nearer may seem to be farther. Embree goes
         // by what it finds here.
-        tfar = static_cast<float>(distance + context.search_on);
+        tfar = static_cast<float>(distance_seen + 2.0 * context.search_on);
         continue;
       }
     }
@@ -178,7 +180,7 @@ void KeepNearestOf(const RTCFilterFunctionNArguments* offer) {
       continue;
     }
     lane = {distance, &geometry, triangle, mover, true};
-    tfar = static_cast<float>(distance + context.search_on);
+    tfar = static_cast<float>(distance + 2.0 * context.search_on);
   }
 }
 
@@ -476,16 +478,18 @@ void EmbreeScene::Trace(std::span<const Ray> rays, double range, int self,
     context.rays = part.data();
     for (std::size_t i = 0; i < part.size(); ++i) {
       const auto& [origin, direction] = part[i];
+      // From a little behind: what is near the origin may seem to lie behind it.
+      const Vec3 start = origin - search_on * direction;
       RTCRayHit& ray = stream[i];
-      ray.ray = {static_cast<float>(origin.x),
-                 static_cast<float>(origin.y),
-                 static_cast<float>(origin.z),
+      ray.ray = {static_cast<float>(start.x),
+                 static_cast<float>(start.y),
+                 static_cast<float>(start.z),
                  0.0F,
                  static_cast<float>(direction.x),
                  static_cast<float>(direction.y),
                  static_cast<float>(direction.z),
                  0.0F,
-                 static_cast<float>(range + search_on),
+                 static_cast<float>(range + 2.0 * search_on),
                  seen,
                  static_cast<unsigned>(i),
                  0};
@@ -524,15 +528,17 @@ bool EmbreeScene::IsBlocked(const Vec3& from, const Vec3& to) const {
   context.placements = state_->placements.data();
   context.rays = &ray;
   context.lanes = &lane;
-  RTCRay embree_ray{static_cast<float>(from.x),
-                    static_cast<float>(from.y),
-                    static_cast<float>(from.z),
+  const double search_on = kSearchOn * state_->extent;
+  const Vec3 start = from - search_on * ray.direction;  // as in Trace()
+  RTCRay embree_ray{static_cast<float>(start.x),
+                    static_cast<float>(start.y),
+                    static_cast<float>(start.z),
                     0.0F,
                     static_cast<float>(ray.direction.x),
                     static_cast<float>(ray.direction.y),
                     static_cast<float>(ray.direction.z),
                     0.0F,
-                    static_cast<float>(length + kSearchOn * state_->extent),
+                    static_cast<float>(length + 2.0 * search_on),
                     kAllBits,
                     0,
                     0};

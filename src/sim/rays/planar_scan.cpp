@@ -19,6 +19,7 @@ constexpr double kRemembered = 0.5;  // m that a sensor may move before FindNear
 constexpr double kLarge = 0.5;       // m, radius of outlines that FindNear() expects to hide others
 constexpr std::size_t kMostScreens = 8;  // of them, the nearest
 constexpr double kRoughError = 1e-6;     // rad, of RoughAngle(), with room to spare
+constexpr double kTouching = 1e-30;      // m^2, below which there is no inverse
 constexpr double kEndOn = 1e-12;         // m^2, see Kernel::Edges()
 constexpr std::size_t kPadding = 4;  // numbers that loops may touch behind the end of their arrays
 
@@ -72,8 +73,8 @@ CCMORSE_INLINE void Raise(double* inverse, const double* cosines, const double* 
   if (i == count) return;
   const Four candidate = a * Load(cosines + i) + b * Load(sines + i);
   const Four before = Load(inverse + i);
-  Store((candidate > before) & (kLanes < static_cast<double>(count - i)) ? candidate : before,
-        inverse + i);
+  const auto higher = (candidate > before) & (kLanes < static_cast<double>(count - i));
+  Store(higher ? candidate : before, inverse + i);
 }
 
 // Does the segment from `from` to `to` pass through the convex outline, and where is it within?
@@ -266,9 +267,10 @@ struct PlanarScanner::Kernel {
       const Vec2 right{xs[r], ys[r]};
       const Vec2 left{xs[l], ys[l]};
       // Twice the area of sensor, right, left: positive when the front faces the sensor. Below the
-      // limit the edge is seen end on and covers no beam that its neighbours do not.
+      // limit, unless the sensor all but touches the edge, it is seen end on and covers no beam
+      // that its neighbours do not.
       const double area = Cross(right, left);
-      if (area <= kEndOn) continue;
+      if (area <= kTouching || (area <= kEndOn && Dot(right, left) > 0.0)) continue;
       // A point at distance r along the unit vector d lies on the edge's line when
       // cross(r d, left - right) = area, so 1/r = d.x * a + d.y * b:
       const double a = (left.y - right.y) / area;

@@ -39,6 +39,11 @@ void LaserScanner::AddNoise(std::uint64_t tick) {
   }
 }
 
+void LaserScanner::Prepare() {
+  const double height = robot().model().origin_height + def_.position.z;
+  if (world_.rays().Choose(fan_, height) == RayPath::kEmbree) world_.rays().Prepare();
+}
+
 void LaserScanner::Reset() {
   Sensor::Reset();
   std::fill(ranges_.begin(), ranges_.end(), def_.range);

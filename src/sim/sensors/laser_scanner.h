@@ -29,6 +29,7 @@ class LaserScanner : public Sensor {
   Vec3 mount() const override { return def_.position; }
   Rotation mount_rotation() const override { return fan_.rotation(); }
 
+  void Prepare() override;
   int Work() const override { return static_cast<int>(fan_.count()); }
 
   const std::vector<double>& ranges() const { return ranges_; }  ///< m, (layers * samples)

@@ -32,6 +32,7 @@ void OdometrySensor::AddToHash(StateHash& hash) const {
   hash.Add(moved_.yaw);
   hash.Add(twist_.v);
   hash.Add(twist_.w);
+  hash.Add(static_cast<std::uint64_t>(stalled_));
 }
 
 void OdometrySensor::AppendNumbers(std::vector<double>& out) const {

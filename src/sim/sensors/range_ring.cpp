@@ -48,6 +48,8 @@ void RangeRing::Sample(const Instant& now) {
   DataChanged(now.time);
 }
 
+void RangeRing::Prepare() { world_.rays().Prepare(); }
+
 void RangeRing::Reset() {
   Sensor::Reset();
   std::fill(ranges_.begin(), ranges_.end(), def_.range);

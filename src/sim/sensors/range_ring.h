@@ -25,6 +25,7 @@ class RangeRing : public Sensor {
   void Sample(const Instant& now) override;
   void AddToHash(StateHash& hash) const override;
   void Reset() override;
+  void Prepare() override;
   int Work() const override { return 100 * static_cast<int>(poses_.size()); }
   Json Configurations() const override;
 
