@@ -114,7 +114,7 @@ TEST(N05, TheIntroductionProgramsRunHasItsHashByEitherLink) {
         RunToEnd({BuiltProgram("intro"), "--port", std::to_string(simulator.port())});
     EXPECT_EQ(intro.status, 0) << intro.output;
     EXPECT_EQ(simulator.process().Wait(), 0);
-    EXPECT_EQ(Json::Parse(ReadFile(report)).Find("hash")->AsString(), "d250a6edccf37922") << name;
+    EXPECT_EQ(Json::Parse(ReadFile(report)).Find("hash")->AsString(), "4bbd574f260aed50") << name;
   }
 }
 
