@@ -84,7 +84,9 @@ def table(head, rows):
 def verdict(row):
     if row["met"] is None:
         return "not measured"
-    return "yes, and the aim" if row["aim_met"] else "yes" if row["met"] else "**no**"
+    if not row["met"]:
+        return "**no**"
+    return "yes, and the aim" if row["aim_met"] else "yes"
 
 
 def figures(results):
