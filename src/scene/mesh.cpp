@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/convex_hull.h"
 #include "base/rotation.h"
 #include "scene/robots.h"
 
@@ -42,29 +43,6 @@ std::vector<Vec3> Clipped(const std::vector<Vec3>& polygon, double height, doubl
   return kept;
 }
 
-// The convex hull (Andrew's monotone chain), counter-clockwise, without needless corners.
-std::vector<Vec2> HullOf(std::vector<Vec2> points) {
-  const auto before = [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-  std::sort(points.begin(), points.end(), before);
-  const auto same = [](Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; };
-  points.erase(std::unique(points.begin(), points.end(), same), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Vec2> hull;
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::size_t start = hull.size();
-    for (const Vec2 point : points) {
-      while (hull.size() >= start + 2 &&
-             Cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0.0) {
-        hull.pop_back();
-      }
-      hull.push_back(point);
-    }
-    hull.pop_back();  // the next pass begins with it
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
 }  // namespace
 
 std::vector<Vec3> PlacedVertices(const Mesh& mesh) {
@@ -89,7 +67,7 @@ std::vector<std::vector<Vec2>> MeshOutlines(const Mesh& mesh) {
     for (const Vec3& point : Clipped(Clipped(triangle, slab.bottom, 1.0), slab.top, -1.0)) {
       points.push_back({point.x, point.y});
     }
-    std::vector<Vec2> outline = HullOf(std::move(points));
+    std::vector<Vec2> outline = ConvexHull(std::move(points));
     if (outline.size() >= 2) outlines.push_back(std::move(outline));
   }
   return outlines;

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "base/convex_hull.h"
 #include "base/error.h"
 #include "base/polygon.h"
 #include "base/trig.h"
@@ -126,26 +127,6 @@ std::vector<Vec2> ScaledAbout(std::span<const Vec2> outline, double factor) {
   std::vector<Vec2> scaled;
   for (const Vec2 point : outline) scaled.push_back(factor * point);
   return scaled;
-}
-
-// Andrew's monotone chain: the convex hull, counter-clockwise.
-std::vector<Vec2> ConvexHull(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(),
-            [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-  std::vector<Vec2> hull;
-  for (int half = 0; half < 2; ++half) {
-    const std::size_t start = hull.size();
-    for (const Vec2 point : points) {
-      while (hull.size() >= start + 2 &&
-             Cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0.0) {
-        hull.pop_back();
-      }
-      hull.push_back(point);
-    }
-    hull.pop_back();  // the other half starts with it
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
 }
 
 // How far a shadow reaches on the floor per metre of height: away from the sun.
