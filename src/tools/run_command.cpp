@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <boost/asio/signal_set.hpp>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -20,6 +19,7 @@
 #include "servers/record/recorder.h"
 #include "servers/runner.h"
 #include "sim/sensors/laser_scanner.h"
+#include "tools/stop_signals.h"
 #include "tools/top_view.h"
 
 namespace ccmorse::tools {
@@ -184,6 +184,7 @@ int Run(const RunArguments& arguments) {
     LogWarning("{} threads are more than this machine's {} processors and only cost time",
                arguments.threads, std::thread::hardware_concurrency());
   }
+  const StopSignals signals;  // before the simulation's threads
   sim::Simulation simulation(std::move(scenario), arguments.threads);
   simulation.canvas().set_picture_folder(arguments.out);
   servers::Runner runner(simulation, options);
@@ -199,9 +200,7 @@ int Run(const RunArguments& arguments) {
 
   // Whoever reads our output may stop reading (`| head`); the run and its record go on.
   std::signal(SIGPIPE, SIG_IGN);
-  boost::asio::signal_set signals(runner.io(), SIGINT, SIGTERM, SIGHUP);
-  signals.async_wait([&runner](boost::system::error_code error, int signal) {
-    if (error) return;
+  const StopSignalWatch watch(signals, runner.io(), [&runner](int signal) {
     if (signal == SIGTERM) {
       runner.StopAfterClients();
     } else {
