@@ -43,7 +43,7 @@ CLIENT_FOLDER_LAYER = {"client/core": 0, "client/morse": 1, "client/player": 3, 
 
 # Heavy headers and the only files that may include them.
 HEAVY = {
-    "boost/": r"src/(servers|client/core)/.*|src/tools/run_command\.cpp",
+    "boost/": r"src/(servers|client/core)/.*|src/tools/stop_signals\.(h|cpp)",
     "embree3/": r"src/sim/rays/embree_scene\.cpp|src/bench/embree_bench\.cpp",
     "CLI/": r"src/tools/main\.cpp",
     "spdlog/": r"src/base/log\.cpp",
