@@ -19,9 +19,10 @@ C_HEADER = ROOT / "include/libplayerinterface/player_interfaces.h"
 
 SCALARS = {
     "u8": "std::uint8_t", "u16": "std::uint16_t", "u32": "std::uint32_t", "i8": "std::int8_t",
-    "i16": "std::int16_t", "i32": "std::int32_t", "i64": "std::int64_t", "f32": "float",
+    "i16": "std::int16_t", "i32": "std::int32_t", "i64": "std::int64_t", "f32": "double",
     "f64": "double",
 }
+C_SCALARS = {**SCALARS, "f32": "float"}
 TYPES = {"data": 1, "cmd": 2, "req": 3, "synch": 5}
 WARNING = "// Made by scripts/player_messages.py from src/wire/player/interfaces.def: edit that.\n"
 
@@ -104,7 +105,8 @@ def messages_h(table):
 namespace ccmorse::wire::player {
 
 // Each struct is the body of messages; Fields() hands its fields, in the order of the wire, to a
-// writer or a reader (xdr.h). m, rad, s, V unless the interface says otherwise.
+// writer or a reader (xdr.h). m, rad, s, V unless the interface says otherwise. What is a float on
+// the wire is a double here.
 // NOLINTBEGIN(readability-identifier-naming,readability-magic-numbers)
 
 """]
@@ -133,7 +135,10 @@ namespace ccmorse::wire::player {
                 if field.counted and field.name not in early:
                     lines.append(f"xdr.Count(m.{field.name});")
                 most = f", {field.most}" if field.most is not None else ""
-                lines.append(f"xdr.{'Items' if field.counted else 'Value'}(m.{field.name}{most});")
+                # Floats of the wire are doubles in memory, so that nothing is lost within a program.
+                single = "Single" if field.element == "f32" else ""
+                call = (single + "Items" if field.counted else single or "Value")
+                lines.append(f"xdr.{call}(m.{field.name}{most});")
             out.append("\n  template <typename Self, typename Xdr>\n")
             out.append("  static void Fields(Self& m, Xdr& xdr) {\n")
             out.extend(f"    {line}\n" for line in lines)
@@ -226,7 +231,7 @@ def c_struct(item):
         if field.element == "chars":
             kind = "char"
         else:
-            kind = SCALARS.get(field.element, f"player_{field.element}_t")
+            kind = C_SCALARS.get(field.element, f"player_{field.element}_t")
         if field.counted and field.name not in early:
             out.append(f"  std::uint32_t {field.name}_count;\n")
         number = field.fixed if field.fixed is not None else field.most

@@ -10,7 +10,8 @@
 namespace ccmorse::wire::player {
 
 // Each struct is the body of messages; Fields() hands its fields, in the order of the wire, to a
-// writer or a reader (xdr.h). m, rad, s, V unless the interface says otherwise.
+// writer or a reader (xdr.h). m, rad, s, V unless the interface says otherwise. What is a float on
+// the wire is a double here.
 // NOLINTBEGIN(readability-identifier-naming,readability-magic-numbers)
 
 /// audio CMD WAV_STREAM_REC.
@@ -387,19 +388,19 @@ inline constexpr std::uint8_t kPowerReqSetChargingPolicy = 1;
 /// power DATA STATE.
 struct PowerData {
   std::uint32_t valid = 0;
-  float volts = 0;
-  float percent = 0;
-  float joules = 0;
-  float watts = 0;
+  double volts = 0;
+  double percent = 0;
+  double joules = 0;
+  double watts = 0;
   std::int32_t charging = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.valid);
-    xdr.Value(m.volts);
-    xdr.Value(m.percent);
-    xdr.Value(m.joules);
-    xdr.Value(m.watts);
+    xdr.Single(m.volts);
+    xdr.Single(m.percent);
+    xdr.Single(m.joules);
+    xdr.Single(m.watts);
     xdr.Value(m.charging);
   }
   bool operator==(const PowerData&) const = default;
@@ -612,43 +613,43 @@ struct Position2dSetOdomReq {
 
 /// position2d REQ SPEED_PID.
 struct Position2dSpeedPidReq {
-  float kp = 0;
-  float ki = 0;
-  float kd = 0;
+  double kp = 0;
+  double ki = 0;
+  double kd = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.kp);
-    xdr.Value(m.ki);
-    xdr.Value(m.kd);
+    xdr.Single(m.kp);
+    xdr.Single(m.ki);
+    xdr.Single(m.kd);
   }
   bool operator==(const Position2dSpeedPidReq&) const = default;
 };
 
 /// position2d REQ POSITION_PID.
 struct Position2dPositionPidReq {
-  float kp = 0;
-  float ki = 0;
-  float kd = 0;
+  double kp = 0;
+  double ki = 0;
+  double kd = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.kp);
-    xdr.Value(m.ki);
-    xdr.Value(m.kd);
+    xdr.Single(m.kp);
+    xdr.Single(m.ki);
+    xdr.Single(m.kd);
   }
   bool operator==(const Position2dPositionPidReq&) const = default;
 };
 
 /// position2d REQ SPEED_PROF.
 struct Position2dSpeedProfReq {
-  float speed = 0;
-  float acc = 0;
+  double speed = 0;
+  double acc = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.speed);
-    xdr.Value(m.acc);
+    xdr.Single(m.speed);
+    xdr.Single(m.acc);
   }
   bool operator==(const Position2dSpeedProfReq&) const = default;
 };
@@ -664,12 +665,12 @@ inline constexpr std::uint8_t kSonarDataGeom = 2;
 
 /// sonar DATA RANGES.
 struct SonarData {
-  std::vector<float> ranges;
+  std::vector<double> ranges;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Count(m.ranges);
-    xdr.Items(m.ranges);
+    xdr.SingleItems(m.ranges);
   }
   bool operator==(const SonarData&) const = default;
 };
@@ -713,22 +714,22 @@ inline constexpr std::uint8_t kLaserReqSetFilter = 6;
 
 /// laser DATA SCAN.
 struct LaserData {
-  float min_angle = 0;
-  float max_angle = 0;
-  float resolution = 0;
-  float max_range = 0;
-  std::vector<float> ranges;
+  double min_angle = 0;
+  double max_angle = 0;
+  double resolution = 0;
+  double max_range = 0;
+  std::vector<double> ranges;
   std::vector<std::uint8_t> intensity;
   std::uint32_t id = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.min_angle);
-    xdr.Value(m.max_angle);
-    xdr.Value(m.resolution);
-    xdr.Value(m.max_range);
+    xdr.Single(m.min_angle);
+    xdr.Single(m.max_angle);
+    xdr.Single(m.resolution);
+    xdr.Single(m.max_range);
     xdr.Count(m.ranges);
-    xdr.Items(m.ranges);
+    xdr.SingleItems(m.ranges);
     xdr.Count(m.intensity);
     xdr.Items(m.intensity);
     xdr.Value(m.id);
@@ -751,19 +752,19 @@ struct LaserDataScanpose {
 
 /// laser DATA SCANANGLE.
 struct LaserDataScanangle {
-  float max_range = 0;
-  std::vector<float> ranges;
-  std::vector<float> angles;
+  double max_range = 0;
+  std::vector<double> ranges;
+  std::vector<double> angles;
   std::vector<std::uint8_t> intensity;
   std::uint32_t id = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.max_range);
+    xdr.Single(m.max_range);
     xdr.Count(m.ranges);
-    xdr.Items(m.ranges);
+    xdr.SingleItems(m.ranges);
     xdr.Count(m.angles);
-    xdr.Items(m.angles);
+    xdr.SingleItems(m.angles);
     xdr.Count(m.intensity);
     xdr.Items(m.intensity);
     xdr.Value(m.id);
@@ -786,23 +787,23 @@ struct LaserGeom {
 
 /// laser REQ SET_CONFIG, laser REQ GET_CONFIG.
 struct LaserConfig {
-  float min_angle = 0;
-  float max_angle = 0;
-  float resolution = 0;
-  float max_range = 0;
-  float range_res = 0;
+  double min_angle = 0;
+  double max_angle = 0;
+  double resolution = 0;
+  double max_range = 0;
+  double range_res = 0;
   std::uint8_t intensity = 0;
-  float scanning_frequency = 0;
+  double scanning_frequency = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.min_angle);
-    xdr.Value(m.max_angle);
-    xdr.Value(m.resolution);
-    xdr.Value(m.max_range);
-    xdr.Value(m.range_res);
+    xdr.Single(m.min_angle);
+    xdr.Single(m.max_angle);
+    xdr.Single(m.resolution);
+    xdr.Single(m.max_range);
+    xdr.Single(m.range_res);
     xdr.Value(m.intensity);
-    xdr.Value(m.scanning_frequency);
+    xdr.Single(m.scanning_frequency);
   }
   bool operator==(const LaserConfig&) const = default;
 };
@@ -832,13 +833,13 @@ struct LaserGetIdConfig {
 /// laser REQ SET_FILTER.
 struct LaserSetFilterConfig {
   std::uint8_t filter_type = 0;
-  std::vector<float> parameters;
+  std::vector<double> parameters;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.filter_type);
     xdr.Count(m.parameters);
-    xdr.Items(m.parameters, 8);
+    xdr.SingleItems(m.parameters, 8);
   }
   bool operator==(const LaserSetFilterConfig&) const = default;
 };
@@ -862,7 +863,7 @@ struct BlobfinderBlob {
   std::uint32_t right = 0;
   std::uint32_t top = 0;
   std::uint32_t bottom = 0;
-  float range = 0;
+  double range = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
@@ -875,7 +876,7 @@ struct BlobfinderBlob {
     xdr.Value(m.right);
     xdr.Value(m.top);
     xdr.Value(m.bottom);
-    xdr.Value(m.range);
+    xdr.Single(m.range);
   }
   bool operator==(const BlobfinderBlob&) const = default;
 };
@@ -950,20 +951,20 @@ inline constexpr std::uint8_t kPtzCmdState = 1;
 
 /// ptz DATA STATE.
 struct PtzData {
-  float pan = 0;
-  float tilt = 0;
-  float zoom = 0;
-  float panspeed = 0;
-  float tiltspeed = 0;
+  double pan = 0;
+  double tilt = 0;
+  double zoom = 0;
+  double panspeed = 0;
+  double tiltspeed = 0;
   std::uint32_t status = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.pan);
-    xdr.Value(m.tilt);
-    xdr.Value(m.zoom);
-    xdr.Value(m.panspeed);
-    xdr.Value(m.tiltspeed);
+    xdr.Single(m.pan);
+    xdr.Single(m.tilt);
+    xdr.Single(m.zoom);
+    xdr.Single(m.panspeed);
+    xdr.Single(m.tiltspeed);
     xdr.Value(m.status);
   }
   bool operator==(const PtzData&) const = default;
@@ -971,19 +972,19 @@ struct PtzData {
 
 /// ptz CMD STATE.
 struct PtzCmd {
-  float pan = 0;
-  float tilt = 0;
-  float zoom = 0;
-  float panspeed = 0;
-  float tiltspeed = 0;
+  double pan = 0;
+  double tilt = 0;
+  double zoom = 0;
+  double panspeed = 0;
+  double tiltspeed = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.pan);
-    xdr.Value(m.tilt);
-    xdr.Value(m.zoom);
-    xdr.Value(m.panspeed);
-    xdr.Value(m.tiltspeed);
+    xdr.Single(m.pan);
+    xdr.Single(m.tilt);
+    xdr.Single(m.zoom);
+    xdr.Single(m.panspeed);
+    xdr.Single(m.tiltspeed);
   }
   bool operator==(const PtzCmd&) const = default;
 };
@@ -1070,16 +1071,16 @@ struct AudioWav {
 };
 
 struct AudioSeqItem {
-  float freq = 0;
-  float duration = 0;
-  float amplitude = 0;
+  double freq = 0;
+  double duration = 0;
+  double amplitude = 0;
   Bool link;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.freq);
-    xdr.Value(m.duration);
-    xdr.Value(m.amplitude);
+    xdr.Single(m.freq);
+    xdr.Single(m.duration);
+    xdr.Single(m.amplitude);
     xdr.Value(m.link);
   }
   bool operator==(const AudioSeqItem&) const = default;
@@ -1098,13 +1099,13 @@ struct AudioSeq {
 };
 
 struct AudioMixerChannel {
-  float amplitude = 0;
+  double amplitude = 0;
   Bool active;
   std::uint32_t index = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.amplitude);
+    xdr.Single(m.amplitude);
     xdr.Value(m.active);
     xdr.Value(m.index);
   }
@@ -1253,15 +1254,15 @@ struct FiducialGeom {
 
 /// fiducial REQ GET_FOV, fiducial REQ SET_FOV.
 struct FiducialFov {
-  float min_range = 0;
-  float max_range = 0;
-  float view_angle = 0;
+  double min_range = 0;
+  double max_range = 0;
+  double view_angle = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.min_range);
-    xdr.Value(m.max_range);
-    xdr.Value(m.view_angle);
+    xdr.Single(m.min_range);
+    xdr.Single(m.max_range);
+    xdr.Single(m.view_angle);
   }
   bool operator==(const FiducialFov&) const = default;
 };
@@ -1362,14 +1363,14 @@ struct BumperData {
 
 struct BumperDefine {
   Pose3d pose;
-  float length = 0;
-  float radius = 0;
+  double length = 0;
+  double radius = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.pose);
-    xdr.Value(m.length);
-    xdr.Value(m.radius);
+    xdr.Single(m.length);
+    xdr.Single(m.radius);
   }
   bool operator==(const BumperDefine&) const = default;
 };
@@ -1428,12 +1429,12 @@ inline constexpr std::uint8_t kAioDataState = 1;
 
 /// aio DATA STATE.
 struct AioData {
-  std::vector<float> voltages;
+  std::vector<double> voltages;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Count(m.voltages);
-    xdr.Items(m.voltages);
+    xdr.SingleItems(m.voltages);
   }
   bool operator==(const AioData&) const = default;
 };
@@ -1441,12 +1442,12 @@ struct AioData {
 /// aio CMD STATE.
 struct AioCmd {
   std::uint32_t id = 0;
-  float voltage = 0;
+  double voltage = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.id);
-    xdr.Value(m.voltage);
+    xdr.Single(m.voltage);
   }
   bool operator==(const AioCmd&) const = default;
 };
@@ -1461,15 +1462,15 @@ inline constexpr std::uint8_t kIrDataRanges = 1;
 
 /// ir DATA RANGES.
 struct IrData {
-  std::vector<float> voltages;
-  std::vector<float> ranges;
+  std::vector<double> voltages;
+  std::vector<double> ranges;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Count(m.voltages);
-    xdr.Items(m.voltages);
+    xdr.SingleItems(m.voltages);
     xdr.Count(m.ranges);
-    xdr.Items(m.ranges);
+    xdr.SingleItems(m.ranges);
   }
   bool operator==(const IrData&) const = default;
 };
@@ -1786,43 +1787,43 @@ struct Position3dSetOdomReq {
 
 /// position3d REQ SPEED_PID.
 struct Position3dSpeedPidReq {
-  float kp = 0;
-  float ki = 0;
-  float kd = 0;
+  double kp = 0;
+  double ki = 0;
+  double kd = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.kp);
-    xdr.Value(m.ki);
-    xdr.Value(m.kd);
+    xdr.Single(m.kp);
+    xdr.Single(m.ki);
+    xdr.Single(m.kd);
   }
   bool operator==(const Position3dSpeedPidReq&) const = default;
 };
 
 /// position3d REQ POSITION_PID.
 struct Position3dPositionPidReq {
-  float kp = 0;
-  float ki = 0;
-  float kd = 0;
+  double kp = 0;
+  double ki = 0;
+  double kd = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.kp);
-    xdr.Value(m.ki);
-    xdr.Value(m.kd);
+    xdr.Single(m.kp);
+    xdr.Single(m.ki);
+    xdr.Single(m.kd);
   }
   bool operator==(const Position3dPositionPidReq&) const = default;
 };
 
 /// position3d REQ SPEED_PROF.
 struct Position3dSpeedProfReq {
-  float speed = 0;
-  float acc = 0;
+  double speed = 0;
+  double acc = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.speed);
-    xdr.Value(m.acc);
+    xdr.Single(m.speed);
+    xdr.Single(m.acc);
   }
   bool operator==(const Position3dSpeedProfReq&) const = default;
 };
@@ -1924,15 +1925,15 @@ inline constexpr std::uint8_t kBlinkenlightCmdFlash = 4;
 /// blinkenlight DATA STATE.
 struct BlinkenlightData {
   std::uint8_t enable = 0;
-  float period = 0;
-  float dutycycle = 0;
+  double period = 0;
+  double dutycycle = 0;
   Color color;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.enable);
-    xdr.Value(m.period);
-    xdr.Value(m.dutycycle);
+    xdr.Single(m.period);
+    xdr.Single(m.dutycycle);
     xdr.Value(m.color);
   }
   bool operator==(const BlinkenlightData&) const = default;
@@ -1942,16 +1943,16 @@ struct BlinkenlightData {
 struct BlinkenlightCmd {
   std::uint16_t id = 0;
   std::uint8_t enable = 0;
-  float period = 0;
-  float dutycycle = 0;
+  double period = 0;
+  double dutycycle = 0;
   Color color;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.id);
     xdr.Value(m.enable);
-    xdr.Value(m.period);
-    xdr.Value(m.dutycycle);
+    xdr.Single(m.period);
+    xdr.Single(m.dutycycle);
     xdr.Value(m.color);
   }
   bool operator==(const BlinkenlightCmd&) const = default;
@@ -1986,14 +1987,14 @@ struct BlinkenlightCmdColor {
 /// blinkenlight CMD FLASH.
 struct BlinkenlightCmdFlash {
   std::uint16_t id = 0;
-  float period = 0;
-  float dutycycle = 0;
+  double period = 0;
+  double dutycycle = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.id);
-    xdr.Value(m.period);
-    xdr.Value(m.dutycycle);
+    xdr.Single(m.period);
+    xdr.Single(m.dutycycle);
   }
   bool operator==(const BlinkenlightCmdFlash&) const = default;
 };
@@ -2056,14 +2057,14 @@ inline constexpr std::uint8_t kMapReqGetVector = 3;
 
 /// map DATA INFO, map REQ GET_INFO.
 struct MapInfo {
-  float scale = 0;
+  double scale = 0;
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   Pose2d origin;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.scale);
+    xdr.Single(m.scale);
     xdr.Value(m.width);
     xdr.Value(m.height);
     xdr.Value(m.origin);
@@ -2095,18 +2096,18 @@ struct MapData {
 
 /// map REQ GET_VECTOR.
 struct MapDataVector {
-  float minx = 0;
-  float maxx = 0;
-  float miny = 0;
-  float maxy = 0;
+  double minx = 0;
+  double maxx = 0;
+  double miny = 0;
+  double maxy = 0;
   std::vector<Segment> segments;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.minx);
-    xdr.Value(m.maxx);
-    xdr.Value(m.miny);
-    xdr.Value(m.maxy);
+    xdr.Single(m.minx);
+    xdr.Single(m.maxx);
+    xdr.Single(m.miny);
+    xdr.Single(m.maxy);
     xdr.Count(m.segments);
     xdr.Items(m.segments);
   }
@@ -2320,15 +2321,15 @@ inline constexpr std::uint8_t kPosition1dCmdPos = 2;
 
 /// position1d DATA STATE.
 struct Position1dData {
-  float pos = 0;
-  float vel = 0;
+  double pos = 0;
+  double vel = 0;
   std::uint8_t stall = 0;
   std::uint8_t status = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.pos);
-    xdr.Value(m.vel);
+    xdr.Single(m.pos);
+    xdr.Single(m.vel);
     xdr.Value(m.stall);
     xdr.Value(m.status);
   }
@@ -2337,12 +2338,12 @@ struct Position1dData {
 
 /// position1d CMD VEL.
 struct Position1dCmdVel {
-  float vel = 0;
+  double vel = 0;
   std::uint8_t state = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.vel);
+    xdr.Single(m.vel);
     xdr.Value(m.state);
   }
   bool operator==(const Position1dCmdVel&) const = default;
@@ -2350,14 +2351,14 @@ struct Position1dCmdVel {
 
 /// position1d CMD POS.
 struct Position1dCmdPos {
-  float pos = 0;
-  float vel = 0;
+  double pos = 0;
+  double vel = 0;
   std::uint8_t state = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.pos);
-    xdr.Value(m.vel);
+    xdr.Single(m.pos);
+    xdr.Single(m.vel);
     xdr.Value(m.state);
   }
   bool operator==(const Position1dCmdPos&) const = default;
@@ -2422,54 +2423,54 @@ struct Position1dPositionModeReq {
 
 /// position1d REQ SET_ODOM.
 struct Position1dSetOdomReq {
-  float pos = 0;
+  double pos = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.pos);
+    xdr.Single(m.pos);
   }
   bool operator==(const Position1dSetOdomReq&) const = default;
 };
 
 /// position1d REQ SPEED_PID.
 struct Position1dSpeedPidReq {
-  float kp = 0;
-  float ki = 0;
-  float kd = 0;
+  double kp = 0;
+  double ki = 0;
+  double kd = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.kp);
-    xdr.Value(m.ki);
-    xdr.Value(m.kd);
+    xdr.Single(m.kp);
+    xdr.Single(m.ki);
+    xdr.Single(m.kd);
   }
   bool operator==(const Position1dSpeedPidReq&) const = default;
 };
 
 /// position1d REQ POSITION_PID.
 struct Position1dPositionPidReq {
-  float kp = 0;
-  float ki = 0;
-  float kd = 0;
+  double kp = 0;
+  double ki = 0;
+  double kd = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.kp);
-    xdr.Value(m.ki);
-    xdr.Value(m.kd);
+    xdr.Single(m.kp);
+    xdr.Single(m.ki);
+    xdr.Single(m.kd);
   }
   bool operator==(const Position1dPositionPidReq&) const = default;
 };
 
 /// position1d REQ SPEED_PROF.
 struct Position1dSpeedProfReq {
-  float speed = 0;
-  float acc = 0;
+  double speed = 0;
+  double acc = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.speed);
-    xdr.Value(m.acc);
+    xdr.Single(m.speed);
+    xdr.Single(m.acc);
   }
   bool operator==(const Position1dSpeedProfReq&) const = default;
 };
@@ -2493,18 +2494,18 @@ inline constexpr std::uint8_t kActarrayCmdMultiCurrent = 7;
 inline constexpr std::uint8_t kActarrayDataState = 1;
 
 struct ActarrayActuator {
-  float position = 0;
-  float speed = 0;
-  float acceleration = 0;
-  float current = 0;
+  double position = 0;
+  double speed = 0;
+  double acceleration = 0;
+  double current = 0;
   std::uint8_t state = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.position);
-    xdr.Value(m.speed);
-    xdr.Value(m.acceleration);
-    xdr.Value(m.current);
+    xdr.Single(m.position);
+    xdr.Single(m.speed);
+    xdr.Single(m.acceleration);
+    xdr.Single(m.current);
     xdr.Value(m.state);
   }
   bool operator==(const ActarrayActuator&) const = default;
@@ -2526,27 +2527,27 @@ struct ActarrayData {
 
 struct ActarrayActuatorgeom {
   std::uint8_t type = 0;
-  float length = 0;
+  double length = 0;
   Orientation3d orientation;
   Point3d axis;
-  float min = 0;
-  float centre = 0;
-  float max = 0;
-  float home = 0;
-  float config_speed = 0;
+  double min = 0;
+  double centre = 0;
+  double max = 0;
+  double home = 0;
+  double config_speed = 0;
   std::uint8_t hasbrakes = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.type);
-    xdr.Value(m.length);
+    xdr.Single(m.length);
     xdr.Value(m.orientation);
     xdr.Value(m.axis);
-    xdr.Value(m.min);
-    xdr.Value(m.centre);
-    xdr.Value(m.max);
-    xdr.Value(m.home);
-    xdr.Value(m.config_speed);
+    xdr.Single(m.min);
+    xdr.Single(m.centre);
+    xdr.Single(m.max);
+    xdr.Single(m.home);
+    xdr.Single(m.config_speed);
     xdr.Value(m.hasbrakes);
   }
   bool operator==(const ActarrayActuatorgeom&) const = default;
@@ -2571,24 +2572,24 @@ struct ActarrayGeom {
 /// actarray CMD POS.
 struct ActarrayPositionCmd {
   std::int32_t joint = 0;
-  float position = 0;
+  double position = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.joint);
-    xdr.Value(m.position);
+    xdr.Single(m.position);
   }
   bool operator==(const ActarrayPositionCmd&) const = default;
 };
 
 /// actarray CMD MULTI_POS.
 struct ActarrayMultiPositionCmd {
-  std::vector<float> positions;
+  std::vector<double> positions;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Count(m.positions);
-    xdr.Items(m.positions);
+    xdr.SingleItems(m.positions);
   }
   bool operator==(const ActarrayMultiPositionCmd&) const = default;
 };
@@ -2596,24 +2597,24 @@ struct ActarrayMultiPositionCmd {
 /// actarray CMD SPEED.
 struct ActarraySpeedCmd {
   std::int32_t joint = 0;
-  float speed = 0;
+  double speed = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.joint);
-    xdr.Value(m.speed);
+    xdr.Single(m.speed);
   }
   bool operator==(const ActarraySpeedCmd&) const = default;
 };
 
 /// actarray CMD MULTI_SPEED.
 struct ActarrayMultiSpeedCmd {
-  std::vector<float> speeds;
+  std::vector<double> speeds;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Count(m.speeds);
-    xdr.Items(m.speeds);
+    xdr.SingleItems(m.speeds);
   }
   bool operator==(const ActarrayMultiSpeedCmd&) const = default;
 };
@@ -2632,24 +2633,24 @@ struct ActarrayHomeCmd {
 /// actarray CMD CURRENT.
 struct ActarrayCurrentCmd {
   std::int32_t joint = 0;
-  float current = 0;
+  double current = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.joint);
-    xdr.Value(m.current);
+    xdr.Single(m.current);
   }
   bool operator==(const ActarrayCurrentCmd&) const = default;
 };
 
 /// actarray CMD MULTI_CURRENT.
 struct ActarrayMultiCurrentCmd {
-  std::vector<float> currents;
+  std::vector<double> currents;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Count(m.currents);
-    xdr.Items(m.currents);
+    xdr.SingleItems(m.currents);
   }
   bool operator==(const ActarrayMultiCurrentCmd&) const = default;
 };
@@ -2679,12 +2680,12 @@ struct ActarrayBrakesConfig {
 /// actarray REQ SPEED.
 struct ActarraySpeedConfig {
   std::int32_t joint = 0;
-  float speed = 0;
+  double speed = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.joint);
-    xdr.Value(m.speed);
+    xdr.Single(m.speed);
   }
   bool operator==(const ActarraySpeedConfig&) const = default;
 };
@@ -2692,12 +2693,12 @@ struct ActarraySpeedConfig {
 /// actarray REQ ACCEL.
 struct ActarrayAccelConfig {
   std::int32_t joint = 0;
-  float accel = 0;
+  double accel = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.joint);
-    xdr.Value(m.accel);
+    xdr.Single(m.accel);
   }
   bool operator==(const ActarrayAccelConfig&) const = default;
 };
@@ -2763,12 +2764,12 @@ struct LimbSetpositionCmd {
 /// limb CMD VECMOVE.
 struct LimbVecmoveCmd {
   Point3d direction;
-  float length = 0;
+  double length = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.direction);
-    xdr.Value(m.length);
+    xdr.Single(m.length);
   }
   bool operator==(const LimbVecmoveCmd&) const = default;
 };
@@ -2808,11 +2809,11 @@ struct LimbGeomReq {
 
 /// limb REQ SPEED.
 struct LimbSpeedReq {
-  float speed = 0;
+  double speed = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.speed);
+    xdr.Single(m.speed);
   }
   bool operator==(const LimbSpeedReq&) const = default;
 };
@@ -2933,29 +2934,29 @@ inline constexpr std::uint8_t kWsnReqDatatype = 2;
 inline constexpr std::uint8_t kWsnReqDatafreq = 3;
 
 struct WsnNodeData {
-  float light = 0;
-  float mic = 0;
-  float accel_x = 0;
-  float accel_y = 0;
-  float accel_z = 0;
-  float magn_x = 0;
-  float magn_y = 0;
-  float magn_z = 0;
-  float temperature = 0;
-  float battery = 0;
+  double light = 0;
+  double mic = 0;
+  double accel_x = 0;
+  double accel_y = 0;
+  double accel_z = 0;
+  double magn_x = 0;
+  double magn_y = 0;
+  double magn_z = 0;
+  double temperature = 0;
+  double battery = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.light);
-    xdr.Value(m.mic);
-    xdr.Value(m.accel_x);
-    xdr.Value(m.accel_y);
-    xdr.Value(m.accel_z);
-    xdr.Value(m.magn_x);
-    xdr.Value(m.magn_y);
-    xdr.Value(m.magn_z);
-    xdr.Value(m.temperature);
-    xdr.Value(m.battery);
+    xdr.Single(m.light);
+    xdr.Single(m.mic);
+    xdr.Single(m.accel_x);
+    xdr.Single(m.accel_y);
+    xdr.Single(m.accel_z);
+    xdr.Single(m.magn_x);
+    xdr.Single(m.magn_y);
+    xdr.Single(m.magn_z);
+    xdr.Single(m.temperature);
+    xdr.Single(m.battery);
   }
   bool operator==(const WsnNodeData&) const = default;
 };
@@ -3101,15 +3102,15 @@ inline constexpr std::uint16_t kHealth = 59;
 inline constexpr std::uint8_t kHealthDataState = 1;
 
 struct HealthCpu {
-  float idle = 0;
-  float system = 0;
-  float user = 0;
+  double idle = 0;
+  double system = 0;
+  double user = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.idle);
-    xdr.Value(m.system);
-    xdr.Value(m.user);
+    xdr.Single(m.idle);
+    xdr.Single(m.system);
+    xdr.Single(m.user);
   }
   bool operator==(const HealthCpu&) const = default;
 };
@@ -3169,27 +3170,27 @@ struct ImuDataState {
 
 /// imu DATA CALIB.
 struct ImuDataCalib {
-  float accel_x = 0;
-  float accel_y = 0;
-  float accel_z = 0;
-  float gyro_x = 0;
-  float gyro_y = 0;
-  float gyro_z = 0;
-  float magn_x = 0;
-  float magn_y = 0;
-  float magn_z = 0;
+  double accel_x = 0;
+  double accel_y = 0;
+  double accel_z = 0;
+  double gyro_x = 0;
+  double gyro_y = 0;
+  double gyro_z = 0;
+  double magn_x = 0;
+  double magn_y = 0;
+  double magn_z = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.accel_x);
-    xdr.Value(m.accel_y);
-    xdr.Value(m.accel_z);
-    xdr.Value(m.gyro_x);
-    xdr.Value(m.gyro_y);
-    xdr.Value(m.gyro_z);
-    xdr.Value(m.magn_x);
-    xdr.Value(m.magn_y);
-    xdr.Value(m.magn_z);
+    xdr.Single(m.accel_x);
+    xdr.Single(m.accel_y);
+    xdr.Single(m.accel_z);
+    xdr.Single(m.gyro_x);
+    xdr.Single(m.gyro_y);
+    xdr.Single(m.gyro_z);
+    xdr.Single(m.magn_x);
+    xdr.Single(m.magn_y);
+    xdr.Single(m.magn_z);
   }
   bool operator==(const ImuDataCalib&) const = default;
 };
@@ -3197,18 +3198,18 @@ struct ImuDataCalib {
 /// imu DATA QUAT.
 struct ImuDataQuat {
   ImuDataCalib calib_data;
-  float q0 = 0;
-  float q1 = 0;
-  float q2 = 0;
-  float q3 = 0;
+  double q0 = 0;
+  double q1 = 0;
+  double q2 = 0;
+  double q3 = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.calib_data);
-    xdr.Value(m.q0);
-    xdr.Value(m.q1);
-    xdr.Value(m.q2);
-    xdr.Value(m.q3);
+    xdr.Single(m.q0);
+    xdr.Single(m.q1);
+    xdr.Single(m.q2);
+    xdr.Single(m.q3);
   }
   bool operator==(const ImuDataQuat&) const = default;
 };
@@ -3561,18 +3562,18 @@ inline constexpr std::uint16_t kStereo = 65;
 inline constexpr std::uint8_t kStereoDataState = 1;
 
 struct Pointcloud3dStereoElement {
-  float px = 0;
-  float py = 0;
-  float pz = 0;
+  double px = 0;
+  double py = 0;
+  double pz = 0;
   std::uint8_t red = 0;
   std::uint8_t green = 0;
   std::uint8_t blue = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
-    xdr.Value(m.px);
-    xdr.Value(m.py);
-    xdr.Value(m.pz);
+    xdr.Single(m.px);
+    xdr.Single(m.py);
+    xdr.Single(m.pz);
     xdr.Value(m.red);
     xdr.Value(m.green);
     xdr.Value(m.blue);
@@ -3640,9 +3641,9 @@ struct CoopobjectRssi {
   std::uint16_t stamp = 0;
   std::uint32_t nodeTimeHigh = 0;
   std::uint32_t nodeTimeLow = 0;
-  float x = 0;
-  float y = 0;
-  float z = 0;
+  double x = 0;
+  double y = 0;
+  double z = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
@@ -3652,9 +3653,9 @@ struct CoopobjectRssi {
     xdr.Value(m.stamp);
     xdr.Value(m.nodeTimeHigh);
     xdr.Value(m.nodeTimeLow);
-    xdr.Value(m.x);
-    xdr.Value(m.y);
-    xdr.Value(m.z);
+    xdr.Single(m.x);
+    xdr.Single(m.y);
+    xdr.Single(m.z);
   }
   bool operator==(const CoopobjectRssi&) const = default;
 };
@@ -3662,17 +3663,17 @@ struct CoopobjectRssi {
 /// coopobject DATA POSITION, coopobject CMD POSITION.
 struct CoopobjectPosition {
   CoopobjectHeader header;
-  float x = 0;
-  float y = 0;
-  float z = 0;
+  double x = 0;
+  double y = 0;
+  double z = 0;
   std::uint8_t status = 0;
 
   template <typename Self, typename Xdr>
   static void Fields(Self& m, Xdr& xdr) {
     xdr.Value(m.header);
-    xdr.Value(m.x);
-    xdr.Value(m.y);
-    xdr.Value(m.z);
+    xdr.Single(m.x);
+    xdr.Single(m.y);
+    xdr.Single(m.z);
     xdr.Value(m.status);
   }
   bool operator==(const CoopobjectPosition&) const = default;

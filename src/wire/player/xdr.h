@@ -24,9 +24,7 @@ class XdrWriter {
 
   template <typename T>
   void Value(const T& value) {
-    if constexpr (std::is_same_v<T, float>) {
-      Word(std::bit_cast<std::uint32_t>(value));
-    } else if constexpr (std::is_same_v<T, double>) {
+    if constexpr (std::is_same_v<T, double>) {
       Long(std::bit_cast<std::uint64_t>(value));
     } else if constexpr (std::is_integral_v<T> && sizeof(T) == 8) {
       Long(static_cast<std::uint64_t>(value));
@@ -46,9 +44,16 @@ class XdrWriter {
     }
   }
 
+  /// A float of the wire.
+  void Single(double value) { Word(std::bit_cast<std::uint32_t>(static_cast<float>(value))); }
+
   template <typename Array>
   void Count(const Array& items) {
     Word(CountOf(items));
+  }
+  void SingleItems(const std::vector<double>& items, std::size_t /*most*/ = 0) {
+    Word(CountOf(items));
+    for (const double item : items) Single(item);
   }
   template <typename T>
   void Items(const std::vector<T>& items, std::size_t /*most*/ = 0) {
@@ -102,9 +107,7 @@ class XdrReader {
 
   template <typename T>
   void Value(T& value) {
-    if constexpr (std::is_same_v<T, float>) {
-      value = std::bit_cast<float>(Word());
-    } else if constexpr (std::is_same_v<T, double>) {
+    if constexpr (std::is_same_v<T, double>) {
       value = std::bit_cast<double>(Long());
     } else if constexpr (std::is_integral_v<T> && sizeof(T) == 8) {
       value = static_cast<T>(Long());
@@ -123,6 +126,8 @@ class XdrReader {
     }
   }
 
+  void Single(double& value) { value = double{std::bit_cast<float>(Word())}; }
+
   template <typename Array>
   void Count(const Array& /*items*/) {
     count_ = Word();
@@ -139,6 +144,10 @@ class XdrReader {
     } else {
       for (std::size_t i = 0; i < count && ok_; ++i) Value(items.emplace_back());
     }
+  }
+  void SingleItems(std::vector<double>& items, std::size_t most = 0) {
+    items.resize(Length(most, 4));
+    for (double& item : items) Single(item);
   }
   /// Ends at the first NUL, where there is one.
   void Items(std::string& text, std::size_t most = 0) {
