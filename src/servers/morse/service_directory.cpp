@@ -386,6 +386,10 @@ void ServiceDirectory::AddSimulationServices() {
         PlaceObject(arguments);
         return Json();
       });
+  add("mirror_pose", {{"robot"}, {"pose"}}, [this](Arguments arguments) {
+    MirrorPose(arguments);
+    return Json();
+  });
   add("set_camarafp_position", {{"position"}}, [this](Arguments arguments) {
     camera_ = PointArgument(arguments, 0, "position");
     return ToJson(camera_);
@@ -463,6 +467,20 @@ void ServiceDirectory::PlaceObject(Arguments arguments) {
     throw ServiceFailed("Object '" + name + "' does not fit there: it would overlap an obstacle");
   }
   robot->Place(pose);
+  simulation_.world().RobotsMoved();
+}
+
+// Where the real robot is, ours is, too: it may touch what in the model of the world stands a little
+// farther out, so nothing is refused for that.
+void ServiceDirectory::MirrorPose(Arguments arguments) {
+  const std::string& name = sim::StringArgument(arguments, 0, "robot");
+  const Vec3 pose = PointArgument(arguments, 1, "pose");
+  if (std::fabs(pose.x) > kFarthest || std::fabs(pose.y) > kFarthest) {
+    throw WrongArgument("pose must lie within 1000 m of the origin");
+  }
+  sim::Robot* robot = simulation_.FindRobot(name);
+  if (robot == nullptr) throw ServiceFailed("There is no robot '" + name + "'.");
+  robot->Place({pose.x, pose.y, NormalizeAngle(pose.z)});
   simulation_.world().RobotsMoved();
 }
 

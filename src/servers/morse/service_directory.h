@@ -105,6 +105,7 @@ class ServiceDirectory {
   Json Details() const;
   Json SceneObjects() const;
   void PlaceObject(sim::Arguments arguments);
+  void MirrorPose(sim::Arguments arguments);
   sim::Component& ComponentArgument(sim::Arguments arguments, const char* verb) const;
 
   sim::Simulation& simulation_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "sim/rays/range_engine.h"
 #include "sim/robots/robot.h"
@@ -18,9 +19,32 @@ LaserScanner::LaserScanner(Robot& robot, const std::string& name, const scene::L
       noise_(seed, full_name()),
       ranges_(fan_.count(), def.range) {
   if (fan_.upright()) world_.PrepareCut(robot.model().origin_height + def.position.z);
+  AddService({"mirror", {{"ranges"}}, [this](Arguments arguments) {
+                Mirror(arguments);
+                return Json();
+              }});
+}
+
+void LaserScanner::Mirror(Arguments arguments) {
+  const std::string expected = "ranges must be a list of " + std::to_string(ranges_.size()) +
+                               " numbers from 0 to " + std::to_string(def_.range);
+  if (!arguments[0].IsArray()) throw WrongArgument(expected);
+  const Json::Array& given = arguments[0].AsArray();
+  std::vector<double> ranges;
+  for (const Json& range : given) {
+    if (!range.IsNumber()) throw WrongArgument(expected);
+    ranges.push_back(range.AsDouble());
+    if (!(ranges.back() >= 0.0 && ranges.back() <= def_.range)) throw WrongArgument(expected);
+  }
+  if (ranges.size() != ranges_.size()) throw WrongArgument(expected);
+  mirrored_ = std::move(ranges);
 }
 
 void LaserScanner::Sample(const Instant& now) {
+  if (!mirrored_.empty()) {
+    ranges_ = mirrored_;
+    return DataChanged(now.time);
+  }
   world_.rays().Scan(fan_, robot().pose(), robot().model().origin_height, robot().index(), ranges_);
   if (def_.range_std > 0.0) AddNoise(now.tick);
   DataChanged(now.time);
@@ -47,6 +71,7 @@ void LaserScanner::Prepare() {
 void LaserScanner::Reset() {
   Sensor::Reset();
   std::fill(ranges_.begin(), ranges_.end(), def_.range);
+  mirrored_.clear();
 }
 
 void LaserScanner::AddToHash(StateHash& hash) const { hash.Add(ranges_); }

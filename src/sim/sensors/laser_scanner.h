@@ -16,6 +16,7 @@ class World;
 /// frame, m, [0, 0, 0] without a hit; and range_list, m, the scanner's range without a hit; both
 /// layer by layer from the top, from the right-most beam counter-clockwise. The ranges of
 /// hits are noisy if the scenario says so. It does not see the robot that carries it.
+/// Service `mirror`: from now on it shows the ranges it is given instead of looking (thesis 5.1).
 class LaserScanner : public Sensor {
  public:
   LaserScanner(Robot& robot, const std::string& name, const scene::LaserDef& def,
@@ -36,6 +37,7 @@ class LaserScanner : public Sensor {
   const BeamFan& fan() const { return fan_; }
 
  private:
+  void Mirror(Arguments arguments);
   void AddNoise(std::uint64_t tick);
   void AppendFields(std::string& out) const override;
 
@@ -44,6 +46,7 @@ class LaserScanner : public Sensor {
   BeamFan fan_;
   Noise noise_;
   std::vector<double> ranges_;
+  std::vector<double> mirrored_;  // what to show instead; empty: look
 };
 
 }  // namespace ccmorse::sim

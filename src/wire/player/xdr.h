@@ -64,10 +64,10 @@ class XdrWriter {
       for (const T& item : items) Value(item);
     }
   }
-  /// With its NUL, which counts.
+  /// With its NUL, which counts; an empty text is nothing at all, as in libplayerc's requests.
   void Items(const std::string& text, std::size_t /*most*/ = 0) {
     Word(CountOf(text));
-    Raw(text.c_str(), text.size() + 1);
+    Raw(text.c_str(), CountOf(text));
   }
 
  private:
@@ -76,7 +76,7 @@ class XdrWriter {
     return static_cast<std::uint32_t>(items.size());
   }
   static std::uint32_t CountOf(const std::string& text) {
-    return static_cast<std::uint32_t>(text.size() + 1);
+    return text.empty() ? 0 : static_cast<std::uint32_t>(text.size() + 1);
   }
   void Word(std::uint32_t word) {
     for (int shift = 24; shift >= 0; shift -= 8) {
