@@ -42,6 +42,12 @@ install_npm_packages() {
   npm ci --prefix "$1" --no-audit --no-fund
 }
 
+# build_view: the page that `ccmorse run` serves, into web/dist.
+build_view() {
+  install_npm_packages web
+  npm run --silent --prefix web build
+}
+
 # build PRESET [cmake options]: configures once, then builds what has changed.
 build() {
   preset=$1

@@ -139,6 +139,17 @@ int Run(int argc, char** argv) {
                    "first port of the components' streams; 0 takes any free ones  [60000]")
       ->check(CLI::Range(0, 65535))
       ->type_name("N");
+  run_command
+      ->add_option("--view-port", run.view_port,
+                   "of the live view in a browser, or the next that is free; 0 takes any  [8000]")
+      ->check(CLI::Range(0, 65535))
+      ->type_name("N");
+  run_command->add_flag("--open", run.open, "show the live view in the browser");
+  run_command
+      ->add_option("--token", run.token,
+                   "word that the live view's address must carry; with --bind to other addresses "
+                   "than this machine's there is no view without one")
+      ->type_name("WORD");
   run_command->add_option("--bind", run.bind, "address to listen on  [127.0.0.1]")
       ->type_name("ADDRESS");
   run_command->add_option("--out", run.out, "folder for pictures that clients save  [.]")

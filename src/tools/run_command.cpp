@@ -1,6 +1,7 @@
 #include "tools/run_command.h"
 
 #include <fmt/core.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -18,6 +20,7 @@
 #include "scene/scenario.h"
 #include "servers/record/recorder.h"
 #include "servers/runner.h"
+#include "servers/web/web_server.h"
 #include "sim/sensors/laser_scanner.h"
 #include "tools/stop_signals.h"
 #include "tools/top_view.h"
@@ -100,6 +103,47 @@ Json ReportJson(const sim::Simulation& simulation, const servers::MorseServer& s
       {"real_time_factor", summary.wall > 0.0 ? summary.simulated / summary.wall : 0.0},
       {"hash", fmt::format("{:016x}", simulation.Hash())},
       {"robots", std::move(robots)}});
+}
+
+// The live view, unless it is not wanted or not safe.
+std::unique_ptr<servers::WebServer> ServeView(const RunArguments& arguments,
+                                              const sim::Simulation& simulation,
+                                              servers::Runner& runner) {
+  if (arguments.headless) return nullptr;
+  servers::WebServerOptions options;
+  options.bind = arguments.bind;
+  // Where any port will do for the services, any will do for the view.
+  const bool any = arguments.port == 0 && arguments.view_port == RunArguments{}.view_port;
+  options.port = any ? 0 : arguments.view_port;
+  options.token = arguments.token;
+  options.folder = servers::FindWebFolder();
+  if (!servers::IsLoopback(options.bind) && options.token.empty()) {
+    LogWarning(
+        "no live view: with --bind {} whoever saw it could drive the robots; give it a "
+        "--token WORD",
+        options.bind);
+    return nullptr;
+  }
+  return std::make_unique<servers::WebServer>(runner.io(), simulation, runner.morse().directory(),
+                                              options);
+}
+
+void OpenBrowser(const std::string& address) {
+  const char* const program = "xdg-open";
+  const pid_t child = ::fork();
+  if (child != 0) {
+    if (child > 0) ::waitpid(child, nullptr, 0);
+    return;
+  }
+  // A grandchild, which init inherits: the browser may outlive us and nobody waits for it.
+  if (::fork() == 0) {
+    sigset_t none;
+    sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
+    ::execlp(program, program, address.c_str(), nullptr);
+    fmt::print(stderr, "cannot open a browser (there is no {}); go to {}\n", program, address);
+  }
+  ::_exit(0);
 }
 
 void PrintReport(const sim::Simulation& simulation, const servers::MorseServer& server,
@@ -198,6 +242,9 @@ int Run(const RunArguments& arguments) {
     runner.AddWatcher(recorder.emplace(simulation, arguments.record, record));
   }
 
+  const std::unique_ptr<servers::WebServer> view = ServeView(arguments, simulation, runner);
+  if (view) runner.AddWatcher(*view);
+
   // Whoever reads our output may stop reading (`| head`); the run and its record go on.
   std::signal(SIGPIPE, SIG_IGN);
   const StopSignalWatch watch(signals, runner.io(), [&runner](int signal) {
@@ -221,10 +268,13 @@ int Run(const RunArguments& arguments) {
                  options.clients == 1 ? "a client reads"
                                       : fmt::format("{} clients read", options.clients));
     }
+    if (view) fmt::print("View at {}\n", view->address());
     fmt::print("SCENE INITIALIZED\n");
     std::fflush(stdout);
   }
+  if (view && arguments.open) OpenBrowser(view->address());
   const servers::RunSummary summary = runner.Run();
+  if (view) view->Close();
   runner.morse().Close();  // the ports are free while the picture is made
 
   if (!arguments.quiet) PrintReport(simulation, runner.morse(), summary);

@@ -9,7 +9,7 @@ namespace ccmorse::tools {
 /// What `ccmorse run` was asked for; what is not set comes from the scenario.
 struct RunArguments {
   std::string scenario;  ///< name or path
-  bool headless = false;
+  bool headless = false;  ///< no live view
   std::optional<std::string> pace;   ///< "real", "lockstep" or "max"
   double seconds = 0.0;              ///< simulated; 0: until stopped
   int threads = 0;                   ///< that share the work; 0: as many as are sensible
@@ -18,6 +18,9 @@ struct RunArguments {
   double client_timeout = 10.0;      ///< lock-step: s of wall time a client may hang; 0: for ever
   int port = 4000;                   ///< 0: any free one
   int stream_port = 60000;           ///< 0: any free ones
+  int view_port = 8000;              ///< of the live view, or the next free one; 0: any
+  std::string token;                 ///< that the view's address must carry; "": none
+  bool open = false;                 ///< show the view in the user's browser
   std::string bind = "127.0.0.1";
   std::string out = ".";                    ///< folder for pictures that clients save
   std::string picture;                      ///< PNG of the arena from above at the end; "": none

@@ -819,6 +819,8 @@ void MorseServer::Sensed() {
   shared_->TellConnections();
 }
 
+ServiceDirectory& MorseServer::directory() { return shared_->directory; }
+
 void MorseServer::set_input_tap(ServiceDirectory::InputTap tap) {
   shared_->directory.set_input_tap(std::move(tap));
 }

@@ -56,6 +56,8 @@ class MorseServer {
   /// Stops listening and lets all clients go, so that the ports are free.
   void Close();
 
+  /// What is served.
+  ServiceDirectory& directory();
   /// See ServiceDirectory::set_input_tap.
   void set_input_tap(ServiceDirectory::InputTap tap);
 

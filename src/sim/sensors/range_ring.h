@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/trig.h"
 #include "scene/scenario.h"
 #include "sim/component.h"
 #include "sim/rays/triangle.h"
@@ -31,6 +32,8 @@ class RangeRing : public Sensor {
 
   const std::vector<double>& ranges() const { return ranges_; }  ///< m, one a sensor
   const std::vector<Pose2>& poses() const { return poses_; }
+  double range() const { return def_.range; }            ///< m, what a sensor without a hit says
+  double cone() const { return Radians(def_.cone_deg); }  ///< rad, full opening angle
 
  private:
   void AppendFields(std::string& out) const override;

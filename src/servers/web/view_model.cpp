@@ -1,0 +1,278 @@
+#include "servers/web/view_model.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "base/polygon.h"
+#include "scene/scenario.h"
+
+namespace ccmorse::servers {
+namespace {
+
+constexpr std::uint32_t kFrame = 1;  // the kind of message
+constexpr double kSteps = 65535.0;   // a range is a part of the sensor's range in 16 bits
+
+// Little endian, as the browser's typed arrays are.
+class FrameWriter {
+ public:
+  void Word(std::uint32_t word) { Put(&word, sizeof word); }
+  void Single(double value) { Word(std::bit_cast<std::uint32_t>(static_cast<float>(value))); }
+  void Double(double value) { Put(&value, sizeof value); }
+  void Short(std::uint16_t value) { Put(&value, sizeof value); }
+  void Byte(std::uint8_t value) { bytes_.push_back(static_cast<char>(value)); }
+  void Put(const void* data, std::size_t size) {
+    bytes_.append(static_cast<const char*>(data), size);
+  }
+  void Pad() { bytes_.resize((bytes_.size() + 3) / 4 * 4); }
+  /// Overwrites the word at `place`.
+  void SetWord(std::size_t place, std::uint32_t word) {
+    std::memcpy(bytes_.data() + place, &word, sizeof word);
+  }
+  std::size_t size() const { return bytes_.size(); }
+  std::string Take() { return std::move(bytes_); }
+
+ private:
+  static_assert(std::endian::native == std::endian::little);
+  std::string bytes_;
+};
+
+Json Point(const Vec3& p) { return Json(Json::Array{p.x, p.y, p.z}); }
+
+Json Hex(const Color& color) {
+  return Json(static_cast<int>(color.r) << 16 | static_cast<int>(color.g) << 8 |
+              static_cast<int>(color.b));
+}
+
+Json Outline(const std::vector<Vec2>& outline) {
+  Json::Array points;
+  for (const Vec2& point : outline) points.push_back(Json::Array{point.x, point.y});
+  return Json(std::move(points));
+}
+
+void AppendRanges(FrameWriter& out, const std::vector<double>& ranges, double most) {
+  out.Word(static_cast<std::uint32_t>(ranges.size()));
+  for (const double range : ranges) {
+    out.Short(static_cast<std::uint16_t>(std::lround(std::clamp(range / most, 0.0, 1.0) * kSteps)));
+  }
+  out.Pad();
+}
+
+}  // namespace
+
+ViewModel::ViewModel(const sim::Simulation& simulation) : simulation_(simulation) {
+  for (const auto& robot : simulation.robots()) {
+    for (const auto& component : robot->components()) {
+      if (const auto* laser = dynamic_cast<const sim::LaserScanner*>(component.get())) {
+        lasers_.push_back(laser);
+      } else if (const auto* ring = dynamic_cast<const sim::RangeRing*>(component.get())) {
+        rings_.push_back(ring);
+      }
+    }
+  }
+}
+
+std::string ViewModel::Scene() const {
+  const scene::Scenario& scenario = simulation_.scenario();
+  const scene::World& world = simulation_.world().scene();
+  Json::Array boxes;
+  for (const scene::Box& box : world.boxes) {
+    boxes.push_back(Json::Object{{"id", box.id},
+                                 {"kind", box.kind},
+                                 {"x", box.pose.x},
+                                 {"y", box.pose.y},
+                                 {"yaw", box.pose.yaw},
+                                 {"size_x", box.size_x},
+                                 {"size_y", box.size_y},
+                                 {"height", box.height},
+                                 {"color", Hex(box.color)},
+                                 {"dynamic", box.dynamic}});
+  }
+  Json::Array meshes;
+  for (const scene::Mesh& mesh : world.meshes) {
+    Json::Array vertices;
+    for (const Vec3& vertex : mesh.vertices) vertices.push_back(Point(vertex));
+    Json::Array triangles;
+    for (const auto& t : mesh.triangles) triangles.push_back(Json::Array{t[0], t[1], t[2]});
+    meshes.push_back(Json::Object{{"id", mesh.id},
+                                  {"position", Point(mesh.position)},
+                                  {"rotation", Point(mesh.rotation)},
+                                  {"color", Hex(mesh.color)},
+                                  {"vertices", std::move(vertices)},
+                                  {"triangles", std::move(triangles)}});
+  }
+  Json::Array lights;
+  for (const scene::Light& light : world.lights) {
+    lights.push_back(Json::Object{{"kind", light.kind},
+                                  {"position", Point(light.position)},
+                                  {"energy", light.energy},
+                                  {"shadows", light.shadows}});
+  }
+  Json::Array robots;
+  for (const auto& robot : simulation_.robots()) robots.push_back(RobotScene(*robot));
+  Json::Array lasers;
+  for (const sim::LaserScanner* laser : lasers_) {
+    const sim::BeamFan& fan = laser->fan();
+    const Vec3 first = fan.Direction(0);
+    const Vec3 last = fan.Direction(fan.count() - 1);
+    lasers.push_back(Json::Object{{"robot", laser->robot().index()},
+                                  {"name", laser->full_name()},
+                                  {"mount", Point(laser->mount())},
+                                  {"height", laser->robot().model().origin_height},
+                                  {"upright", fan.upright()},
+                                  {"first", std::atan2(first.y, first.x)},
+                                  {"last", std::atan2(last.y, last.x)},
+                                  {"samples", static_cast<int>(fan.count())},
+                                  {"range", fan.range()}});
+  }
+  Json::Array rings;
+  for (const sim::RangeRing* ring : rings_) {
+    Json::Array poses;
+    for (const Pose2& pose : ring->poses()) {
+      poses.push_back(Json::Array{pose.x, pose.y, pose.yaw});
+    }
+    rings.push_back(Json::Object{{"robot", ring->robot().index()},
+                                 {"name", ring->full_name()},
+                                 {"height", ring->robot().model().ring_height},
+                                 {"range", ring->range()},
+                                 {"cone", ring->cone()},
+                                 {"poses", std::move(poses)}});
+  }
+  const scene::CanvasDef& canvas = scenario.canvas;
+  return Json(Json::Object{{"scene", scenario.name},
+                           {"world", world.name},
+                           {"size_x", world.size_x},
+                           {"size_y", world.size_y},
+                           {"floor", Hex(world.floor)},
+                           {"boxes", std::move(boxes)},
+                           {"meshes", std::move(meshes)},
+                           {"lights", std::move(lights)},
+                           {"robots", std::move(robots)},
+                           {"lasers", std::move(lasers)},
+                           {"rings", std::move(rings)},
+                           {"camera", Json::Object{{"position", Point(scenario.camera.position)},
+                                                   {"rotation", Point(scenario.camera.rotation)}}},
+                           {"canvas", Json::Object{{"alpha", canvas.alpha},
+                                                   {"mode", canvas.mode},
+                                                   {"mode_switching", canvas.mode_switching}}}})
+      .Dump();
+}
+
+Json ViewModel::RobotScene(const sim::Robot& robot) const {
+  const scene::RobotModel& model = robot.model();
+  Json::Array hull;
+  for (const scene::HullPart& part : model.hull) {
+    hull.push_back(Json::Object{
+        {"outline", Outline(part.outline)}, {"bottom", part.bottom}, {"top", part.top}});
+  }
+  Json::Array devices;
+  for (const auto& component : robot.components()) {
+    devices.push_back(Json::Object{{"name", component->full_name()}, {"type", component->type()}});
+  }
+  return Json(Json::Object{{"name", robot.name()},
+                           {"type", robot.def().type},
+                           {"color", Hex(robot.def().color)},
+                           {"hull", std::move(hull)},
+                           {"length", model.length},
+                           {"width", model.width},
+                           {"height", model.height},
+                           {"clearance", model.ground_clearance},
+                           {"wheel_radius", model.wheel_radius},
+                           {"wheel_width", model.wheel_width},
+                           {"wheel_track", model.wheel_track},
+                           {"max_speed", model.max_speed},
+                           {"max_turn_rate", model.max_turn_rate},
+                           {"devices", std::move(devices)}});
+}
+
+std::string ViewModel::Frame(Seen& seen, double rate, bool paused) {
+  StampCanvas();
+  seen.samples.resize(lasers_.size() + rings_.size(), 0);
+  FrameWriter out;
+  out.Word(kFrame);
+  out.Word(paused ? 1 : 0);
+  out.Double(simulation_.time());
+  out.Single(rate);
+  out.Word(static_cast<std::uint32_t>(simulation_.robots().size()));
+  for (const auto& robot : simulation_.robots()) {
+    out.Single(robot->pose().x);
+    out.Single(robot->pose().y);
+    out.Single(robot->pose().yaw);
+    out.Single(robot->twist().v);
+    out.Single(robot->twist().w);
+    out.Word(robot->stalled() ? 1 : 0);
+  }
+  const auto& boxes = simulation_.world().scene().boxes;
+  out.Word(static_cast<std::uint32_t>(boxes.size()));
+  for (const scene::Box& box : boxes) out.Byte(box.raised ? 1 : 0);
+  out.Pad();
+
+  const std::size_t scans_at = out.size();
+  std::uint32_t scans = 0;
+  out.Word(0);
+  const auto is_new = [&](std::size_t i, const sim::Sensor& sensor) {
+    if (sensor.samples() == seen.samples[i]) return false;
+    seen.samples[i] = sensor.samples();
+    out.Word(static_cast<std::uint32_t>(i));
+    ++scans;
+    return true;
+  };
+  for (std::size_t i = 0; i < lasers_.size(); ++i) {
+    if (is_new(i, *lasers_[i])) AppendRanges(out, lasers_[i]->ranges(), lasers_[i]->fan().range());
+  }
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
+    if (is_new(lasers_.size() + i, *rings_[i])) {
+      AppendRanges(out, rings_[i]->ranges(), rings_[i]->range());
+    }
+  }
+  out.SetWord(scans_at, scans);
+
+  out.Word(static_cast<std::uint32_t>(canvas_width_));
+  out.Word(static_cast<std::uint32_t>(canvas_height_));
+  const std::size_t rows_at = out.size();
+  std::uint32_t rows = 0;
+  out.Word(0);
+  for (std::size_t y = 0; y < row_stamps_.size(); ++y) {
+    if (row_stamps_[y] <= seen.canvas) continue;
+    ++rows;
+    out.Word(static_cast<std::uint32_t>(y));
+    out.Put(canvas_copy_.data() + y * static_cast<std::size_t>(canvas_width_),
+            static_cast<std::size_t>(canvas_width_) * sizeof(std::uint32_t));
+  }
+  out.SetWord(rows_at, rows);
+  seen.canvas = stamp_;
+  return out.Take();
+}
+
+void ViewModel::StampCanvas() {
+  const sim::Canvas& canvas = simulation_.canvas();
+  if (!row_stamps_.empty() && canvas.revision() == canvas_revision_) return;
+  canvas_revision_ = canvas.revision();
+  ++stamp_;
+  const auto height = static_cast<std::size_t>(canvas.height());
+  const auto width = static_cast<std::size_t>(canvas.width());
+  if (canvas_width_ != canvas.width() || canvas_height_ != canvas.height()) {
+    canvas_width_ = canvas.width();
+    canvas_height_ = canvas.height();
+    row_stamps_.assign(height, stamp_);
+    canvas_copy_.assign(width * height, 0);
+  }
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const int column = static_cast<int>(x);
+      const int row = static_cast<int>(y);
+      std::uint32_t rgba = 0;
+      if (canvas.IsDrawn(column, row)) {
+        const Color color = canvas.GetPixel(column, row);
+        rgba = 0xFF000000U | std::uint32_t{color.b} << 16U | std::uint32_t{color.g} << 8U | color.r;
+      }
+      std::uint32_t& copy = canvas_copy_[y * width + x];
+      if (copy == rgba) continue;
+      copy = rgba;
+      row_stamps_[y] = stamp_;
+    }
+  }
+}
+
+}  // namespace ccmorse::servers

@@ -1,0 +1,162 @@
+// What the simulator sends (docs/protocols/view.md): a scene once, as JSON, then frames in bytes.
+
+export interface Box {
+  id: number;
+  kind: string;
+  x: number;
+  y: number;
+  yaw: number;
+  size_x: number;
+  size_y: number;
+  height: number;
+  color: number;
+  dynamic: boolean;
+}
+
+export interface Mesh {
+  id: number;
+  position: [number, number, number];
+  rotation: [number, number, number];
+  color: number;
+  vertices: [number, number, number][];
+  triangles: [number, number, number][];
+}
+
+export interface Light {
+  kind: "sun" | "spot";
+  position: [number, number, number];
+  energy: number;
+  shadows: boolean;
+}
+
+export interface Robot {
+  name: string;
+  type: string;
+  color: number;
+  hull: { outline: [number, number][]; bottom: number; top: number }[];
+  length: number;
+  width: number;
+  height: number;
+  clearance: number;
+  wheel_radius: number;
+  wheel_width: number;
+  wheel_track: number;
+  max_speed: number;
+  max_turn_rate: number;
+  devices: { name: string; type: string }[];
+}
+
+export interface Laser {
+  robot: number;
+  name: string;
+  mount: [number, number, number];
+  height: number;
+  upright: boolean;
+  first: number; // rad, bearing of the first beam
+  last: number; // rad
+  samples: number;
+  range: number; // m
+}
+
+export interface Ring {
+  robot: number;
+  name: string;
+  height: number;
+  range: number; // m
+  cone: number; // rad, full
+  poses: [number, number, number][];
+}
+
+export type CanvasMode = "ground" | "minimap" | "fullscreen";
+
+export interface Scene {
+  scene: string;
+  world: string;
+  size_x: number;
+  size_y: number;
+  floor: number;
+  boxes: Box[];
+  meshes: Mesh[];
+  lights: Light[];
+  robots: Robot[];
+  lasers: Laser[];
+  rings: Ring[];
+  camera: { position: [number, number, number]; rotation: [number, number, number] };
+  canvas: { alpha: number; mode: CanvasMode; mode_switching: boolean };
+}
+
+export interface RobotState {
+  x: number;
+  y: number;
+  yaw: number;
+  v: number;
+  w: number;
+  stalled: boolean;
+}
+
+export interface Scan {
+  sensor: number; // index into lasers, then rings
+  ranges: Uint16Array; // parts of the sensor's range, 65535 is all of it
+}
+
+export interface CanvasRow {
+  y: number; // from the bottom
+  rgba: Uint8Array;
+}
+
+export interface Frame {
+  paused: boolean;
+  time: number; // s, simulated
+  rate: number; // simulated seconds per second
+  robots: RobotState[];
+  raised: Uint8Array; // one a box
+  scans: Scan[];
+  canvasWidth: number; // cells
+  canvasHeight: number;
+  rows: CanvasRow[]; // those that have changed
+}
+
+export function readFrame(buffer: ArrayBuffer): Frame {
+  const view = new DataView(buffer);
+  let at = 0;
+  const word = () => ((at += 4), view.getUint32(at - 4, true));
+  const single = () => ((at += 4), view.getFloat32(at - 4, true));
+  const pad = () => (at = (at + 3) & ~3);
+  if (word() !== 1) throw new Error("unknown message from the simulator");
+  const paused = word() === 1;
+  const time = view.getFloat64(at, true);
+  at += 8;
+  const rate = single();
+  const robots: RobotState[] = [];
+  for (let left = word(); left > 0; --left) {
+    robots.push({
+      x: single(),
+      y: single(),
+      yaw: single(),
+      v: single(),
+      w: single(),
+      stalled: word() === 1,
+    });
+  }
+  const boxes = word();
+  const raised = new Uint8Array(buffer, at, boxes);
+  at += boxes;
+  pad();
+  const scans: Scan[] = [];
+  for (let left = word(); left > 0; --left) {
+    const sensor = word();
+    const count = word();
+    scans.push({ sensor, ranges: new Uint16Array(buffer, at, count) });
+    at += 2 * count;
+    pad();
+  }
+  const canvasWidth = word();
+  const canvasHeight = word();
+  const rows: CanvasRow[] = [];
+  for (let left = word(); left > 0; --left) {
+    const y = word();
+    rows.push({ y, rgba: new Uint8Array(buffer, at, 4 * canvasWidth) });
+    at += 4 * canvasWidth;
+  }
+  return { paused, time, rate, robots, raised, scans, canvasWidth, canvasHeight, rows };
+}

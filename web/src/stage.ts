@@ -1,0 +1,609 @@
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
+import type { Frame, Laser, Robot, RobotState, Scene } from "./protocol";
+
+export type CameraKind = "orbit" | "follow" | "top" | "robot";
+
+export interface Layers {
+  lasers: boolean;
+  rings: boolean;
+  trails: boolean;
+  speeds: boolean;
+  names: boolean;
+}
+
+const STEPS = 65535; // of a range, protocol.ts
+const TRAIL_POINTS = 4000;
+const TRAIL_STEP = 0.01; // m
+const LASER_COLOR = 0x1e8bff;
+const RING_COLOR = 0xffa028;
+
+/** How much the picture may cost. */
+type Quality = "high" | "low";
+
+// Low where a processor has to draw, and where the page's address says ?quality=low.
+function chooseQuality(): Quality {
+  const asked = new URLSearchParams(location.search).get("quality");
+  if (asked === "high" || asked === "low") return asked;
+  const context = document.createElement("canvas").getContext("webgl2");
+  const info = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? String(context?.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name) ? "low" : "high";
+}
+
+function prism(outline: [number, number][], bottom: number, top: number): THREE.BufferGeometry {
+  const shape = new THREE.Shape(outline.map(([x, y]) => new THREE.Vector2(x, y)));
+  const bevel = Math.min(0.004, (top - bottom) / 4);
+  const geometry = new THREE.ExtrudeGeometry(shape, {
+    depth: top - bottom - 2 * bevel,
+    bevelEnabled: true,
+    bevelThickness: bevel,
+    bevelSize: bevel,
+    bevelOffset: -bevel,
+    bevelSegments: 2,
+  });
+  geometry.translate(0, 0, bottom + bevel);
+  return geometry;
+}
+
+/** A filled fan that a sensor sees, one triangle between two neighbouring beams. */
+class Fan {
+  readonly mesh: THREE.Mesh<THREE.BufferGeometry, THREE.MeshBasicMaterial>;
+  private readonly positions: THREE.BufferAttribute;
+
+  constructor(
+    private readonly bearings: Float32Array,
+    private readonly range: number,
+    color: number,
+  ) {
+    const beams = bearings.length;
+    const geometry = new THREE.BufferGeometry();
+    this.positions = new THREE.BufferAttribute(new Float32Array(3 * (beams + 1)), 3);
+    this.positions.setUsage(THREE.DynamicDrawUsage);
+    geometry.setAttribute("position", this.positions);
+    const indexes: number[] = [];
+    for (let i = 1; i < beams; ++i) indexes.push(0, i, i + 1);
+    geometry.setIndex(indexes);
+    this.mesh = new THREE.Mesh(
+      geometry,
+      new THREE.MeshBasicMaterial({
+        color,
+        transparent: true,
+        opacity: 0.22,
+        side: THREE.DoubleSide,
+        depthWrite: false,
+      }),
+    );
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = 2;
+  }
+
+  /** `only`: all beams have this one range (a cone), in parts of the sensor's. */
+  show(ranges: Uint16Array, only = -1): void {
+    const array = this.positions.array as Float32Array;
+    this.bearings.forEach((bearing, i) => {
+      const range = ((only >= 0 ? ranges[only] : ranges[i]) ?? 0) * (this.range / STEPS);
+      array[3 * (i + 1)] = range * Math.cos(bearing);
+      array[3 * (i + 1) + 1] = range * Math.sin(bearing);
+    });
+    this.positions.needsUpdate = true;
+  }
+}
+
+/** The way a robot has come, a line on the floor. */
+class Trail {
+  readonly line: THREE.Line<THREE.BufferGeometry, THREE.LineBasicMaterial>;
+  private readonly positions = new THREE.BufferAttribute(new Float32Array(3 * TRAIL_POINTS), 3);
+  private count = 0;
+  private last = new THREE.Vector2(Infinity, Infinity);
+
+  constructor(color: number) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", this.positions);
+    geometry.setDrawRange(0, 0);
+    this.line = new THREE.Line(geometry, new THREE.LineBasicMaterial({ color }));
+    this.line.frustumCulled = false;
+  }
+
+  add(x: number, y: number): void {
+    if (Math.hypot(x - this.last.x, y - this.last.y) < TRAIL_STEP) return;
+    if (this.count === TRAIL_POINTS) {
+      // The older half goes.
+      this.positions.array.copyWithin(0, (3 * TRAIL_POINTS) / 2);
+      this.count = TRAIL_POINTS / 2;
+    }
+    this.positions.setXYZ(this.count++, x, y, 0.004);
+    this.positions.needsUpdate = true;
+    this.line.geometry.setDrawRange(0, this.count);
+    this.last.set(x, y);
+  }
+}
+
+function nameTag(text: string): THREE.Sprite {
+  const canvas = document.createElement("canvas");
+  const pen = canvas.getContext("2d")!;
+  const font = "600 44px system-ui, sans-serif";
+  pen.font = font;
+  canvas.width = Math.ceil(pen.measureText(text).width) + 40;
+  canvas.height = 68;
+  pen.font = font;
+  pen.fillStyle = "rgba(18, 26, 34, 0.78)";
+  pen.beginPath();
+  pen.roundRect(0, 0, canvas.width, canvas.height, 20);
+  pen.fill();
+  pen.fillStyle = "#fff";
+  pen.textBaseline = "middle";
+  pen.fillText(text, 20, 36);
+  const map = new THREE.CanvasTexture(canvas);
+  map.colorSpace = THREE.SRGBColorSpace;
+  const sprite = new THREE.Sprite(
+    new THREE.SpriteMaterial({ map, depthTest: false, sizeAttenuation: false }),
+  );
+  const height = 0.022;
+  sprite.scale.set((height * canvas.width) / canvas.height, height, 1);
+  sprite.renderOrder = 5;
+  return sprite;
+}
+
+// Physically based where the picture may cost, else plain diffuse.
+function surface(quality: Quality, options: THREE.MeshStandardMaterialParameters): THREE.Material {
+  if (quality === "high") return new THREE.MeshStandardMaterial(options);
+  return new THREE.MeshLambertMaterial({ color: options.color, side: options.side });
+}
+
+class RobotModel {
+  readonly group = new THREE.Group();
+  readonly fans: Fan[] = []; // of lasers
+  readonly cones: { fan: Fan; sensor: number; index: number }[] = [];
+  readonly trail: Trail;
+  readonly tag: THREE.Sprite;
+  private readonly wheels: THREE.Group[] = [];
+  private readonly arrow: THREE.ArrowHelper;
+
+  constructor(
+    readonly robot: Robot,
+    private readonly index: number,
+    private readonly quality: Quality,
+  ) {
+    const body =
+      quality === "high"
+        ? new THREE.MeshPhysicalMaterial({
+            color: robot.color,
+            roughness: 0.42,
+            metalness: 0.05,
+            clearcoat: 0.5,
+            clearcoatRoughness: 0.3,
+          })
+        : surface(quality, { color: robot.color });
+    const dark = surface(quality, { color: 0x22262b, roughness: 0.6 });
+    robot.hull.forEach((part, i) => {
+      // Where the lower part is wider it is the chassis, dark; the upper one wears the colour.
+      const chassis = robot.hull.length > 1 && i === 0;
+      const bottom = Math.max(part.bottom, robot.clearance);
+      this.add(new THREE.Mesh(prism(part.outline, bottom, part.top), chassis ? dark : body));
+    });
+    if (robot.wheel_radius > 0) this.addWheels(robot, dark);
+    this.trail = new Trail(robot.color);
+    this.tag = nameTag(robot.name);
+    this.tag.position.z = robot.height + 0.12;
+    this.group.add(this.tag);
+    this.arrow = new THREE.ArrowHelper(
+      new THREE.Vector3(1, 0, 0), new THREE.Vector3(0, 0, robot.height + 0.01), 0.1, 0x18a058);
+    this.group.add(this.arrow);
+    this.group.traverse((object) => (object.userData["robot"] = index));
+  }
+
+  addLaser(mount: [number, number, number], height: number, fan: Fan): void {
+    const box = new THREE.Mesh(
+      new THREE.CylinderGeometry(0.024, 0.026, 0.045, 32).rotateX(Math.PI / 2),
+      surface(this.quality, { color: 0x111417, roughness: 0.25, metalness: 0.3 }),
+    );
+    box.position.set(mount[0], mount[1], height + mount[2]);
+    box.userData["robot"] = this.index;
+    this.add(box);
+    fan.mesh.position.copy(box.position);
+    this.group.add(fan.mesh);
+    this.fans.push(fan);
+  }
+
+  show(state: RobotState, seconds: number, layers: Layers): void {
+    this.group.position.set(state.x, state.y, 0);
+    this.group.rotation.z = state.yaw;
+    this.wheels.forEach((wheel, side) => {
+      const turn = ((side === 0 ? -1 : 1) * state.w * this.robot.wheel_track) / 2;
+      wheel.rotation.y += ((state.v + turn) * seconds) / this.robot.wheel_radius;
+    });
+    this.trail.add(state.x, state.y);
+    this.trail.line.visible = layers.trails;
+    this.tag.visible = layers.names;
+    this.arrow.visible = layers.speeds && Math.abs(state.v) > 1e-3;
+    this.arrow.setDirection(new THREE.Vector3(Math.sign(state.v) || 1, 0, 0));
+    this.arrow.setLength(0.05 + Math.abs(state.v), 0.04, 0.03);
+    for (const fan of this.fans) fan.mesh.visible = layers.lasers;
+    for (const { fan } of this.cones) fan.mesh.visible = layers.rings;
+  }
+
+  private add(mesh: THREE.Mesh): void {
+    mesh.castShadow = true;
+    mesh.receiveShadow = true;
+    this.group.add(mesh);
+  }
+
+  private addWheels(robot: Robot, rubber: THREE.Material): void {
+    const rim = surface(this.quality, { color: 0xb9c0c7, roughness: 0.35, metalness: 0.8 });
+    for (const side of [1, -1]) {
+      const wheel = new THREE.Group();
+      const tyre = new THREE.Mesh(
+        new THREE.CylinderGeometry(robot.wheel_radius, robot.wheel_radius, robot.wheel_width, 40),
+        rubber,
+      );
+      // Spokes, so that one sees it turn.
+      for (const angle of [0, Math.PI / 2]) {
+        const spoke = new THREE.Mesh(
+          new THREE.BoxGeometry(1.5 * robot.wheel_radius, robot.wheel_width * 1.15, 0.006), rim);
+        spoke.rotation.y = angle;
+        wheel.add(spoke);
+      }
+      tyre.castShadow = true;
+      wheel.add(tyre);
+      wheel.position.set(0, (side * robot.wheel_track) / 2, robot.wheel_radius);
+      this.wheels.push(wheel);
+      this.group.add(wheel);
+    }
+  }
+}
+
+/** The 3-D picture: the scene as sent, moved by frames. */
+export class Stage {
+  readonly layers: Layers = { lasers: true, rings: true, trails: true, speeds: false, names: false };
+  private readonly quality = chooseQuality();
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly world = new THREE.Scene();
+  private readonly camera = new THREE.PerspectiveCamera(42, 1, 0.02, 500);
+  private readonly controls: OrbitControls;
+  private content = new THREE.Group();
+  private scene: Scene | null = null;
+  private robots: RobotModel[] = [];
+  private boxes: THREE.Mesh[] = [];
+  private canvasPixels: Uint8Array = new Uint8Array(4);
+  private canvasTexture: THREE.DataTexture | null = null;
+  private canvasPlane: THREE.Mesh<THREE.PlaneGeometry, THREE.MeshBasicMaterial> | null = null;
+  private states: RobotState[] = [];
+  private lastTime = 0;
+  private kind: CameraKind = "orbit";
+  private chosen = 0;
+  private groundCanvas = true;
+  frames = 0; // drawn so far, for those who measure
+
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    const fine = this.quality === "high";
+    this.renderer = new THREE.WebGLRenderer({
+      canvas, antialias: fine, preserveDrawingBuffer: true,
+    });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = fine ? THREE.PCFSoftShadowMap : THREE.BasicShadowMap;
+    this.renderer.shadowMap.autoUpdate = fine;
+    this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
+    this.renderer.toneMappingExposure = 1.0;
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = true;
+    this.controls.maxPolarAngle = 0.495 * Math.PI;
+    if (fine) {
+      const light = new THREE.PMREMGenerator(this.renderer);
+      this.world.environment = light.fromScene(new RoomEnvironment(), 0.04).texture;
+      this.world.environmentIntensity = 0.45;
+    } else {
+      this.world.add(new THREE.HemisphereLight(0xffffff, 0xb0a898, 1.2));
+    }
+    this.world.add(this.content);
+    this.setDark(matchMedia("(prefers-color-scheme: dark)").matches);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", (event) =>
+      this.setDark(event.matches));
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    this.resize();
+    this.renderer.setAnimationLoop(() => this.draw());
+  }
+
+  setScene(scene: Scene): void {
+    const again = this.scene !== null;
+    this.scene = scene;
+    this.world.remove(this.content);
+    this.content = new THREE.Group();
+    this.robots = [];
+    this.boxes = [];
+    this.canvasTexture = null;
+    this.canvasPlane = null;
+    this.lastTime = 0;
+    this.addFloor(scene);
+    this.addLights(scene);
+    for (const box of scene.boxes) {
+      const mesh = new THREE.Mesh(
+        prism(
+          [
+            [-box.size_x / 2, -box.size_y / 2],
+            [box.size_x / 2, -box.size_y / 2],
+            [box.size_x / 2, box.size_y / 2],
+            [-box.size_x / 2, box.size_y / 2],
+          ],
+          0,
+          box.height,
+        ),
+        surface(this.quality, { color: box.color, roughness: 0.72 }),
+      );
+      mesh.position.set(box.x, box.y, 0);
+      mesh.rotation.z = box.yaw;
+      mesh.castShadow = true;
+      mesh.receiveShadow = true;
+      this.boxes.push(mesh);
+      this.content.add(mesh);
+    }
+    for (const mesh of scene.meshes) {
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute("position", new THREE.Float32BufferAttribute(mesh.vertices.flat(), 3));
+      geometry.setIndex(mesh.triangles.flat());
+      const flat = geometry.toNonIndexed();
+      flat.computeVertexNormals();
+      const body = new THREE.Mesh(
+        flat,
+        surface(this.quality, { color: mesh.color, roughness: 0.7, side: THREE.DoubleSide }),
+      );
+      body.position.set(...mesh.position);
+      body.rotation.set(...mesh.rotation, "ZYX");
+      body.castShadow = true;
+      body.receiveShadow = true;
+      this.content.add(body);
+    }
+    scene.robots.forEach((robot, i) => {
+      const model = new RobotModel(robot, i, this.quality);
+      this.robots.push(model);
+      this.content.add(model.group, model.trail.line);
+    });
+    for (const laser of scene.lasers) {
+      const bearings = new Float32Array(laser.samples);
+      const step = (laser.last - laser.first) / Math.max(1, laser.samples - 1);
+      for (let i = 0; i < laser.samples; ++i) bearings[i] = laser.first + i * step;
+      const fan = new Fan(laser.upright ? bearings : new Float32Array(0), laser.range, LASER_COLOR);
+      this.robots[laser.robot]?.addLaser(laser.mount, laser.height, fan);
+    }
+    scene.rings.forEach((ring, number) => {
+      const robot = this.robots[ring.robot];
+      ring.poses.forEach(([x, y, yaw], index) => {
+        const bearings = new Float32Array(9);
+        bearings.forEach((_, i) => (bearings[i] = ring.cone * (i / 8 - 0.5)));
+        const fan = new Fan(bearings, ring.range, RING_COLOR);
+        fan.mesh.position.set(x, y, ring.height);
+        fan.mesh.rotation.z = yaw;
+        robot?.group.add(fan.mesh);
+        robot?.cones.push({ fan, sensor: scene.lasers.length + number, index });
+      });
+    });
+    this.world.add(this.content);
+    if (!again) this.setCamera("orbit");
+  }
+
+  show(frame: Frame): void {
+    if (this.scene === null) return;
+    const seconds = Math.min(0.2, Math.max(0, frame.time - this.lastTime));
+    this.lastTime = frame.time;
+    this.states = frame.robots;
+    frame.robots.forEach((state, i) => this.robots[i]?.show(state, seconds, this.layers));
+    frame.raised.forEach((raised, i) => {
+      const box = this.boxes[i];
+      if (box !== undefined) box.visible = raised === 1;
+    });
+    for (const scan of frame.scans) {
+      const laser: Laser | undefined = this.scene.lasers[scan.sensor];
+      if (laser !== undefined) {
+        const robot = this.robots[laser.robot];
+        const own = this.scene.lasers.filter((other) => other.robot === laser.robot).indexOf(laser);
+        robot?.fans[own]?.show(scan.ranges);
+        continue;
+      }
+      const ring = this.scene.rings[scan.sensor - this.scene.lasers.length];
+      if (ring === undefined) continue;
+      for (const cone of this.robots[ring.robot]?.cones ?? []) {
+        if (cone.sensor === scan.sensor) cone.fan.show(scan.ranges, cone.index);
+      }
+    }
+    this.showCanvas(frame);
+  }
+
+  setGroundCanvas(shown: boolean): void {
+    this.groundCanvas = shown;
+    if (this.canvasPlane !== null) this.canvasPlane.visible = shown;
+  }
+
+  setCamera(kind: CameraKind): void {
+    this.kind = kind;
+    this.controls.enabled = kind !== "robot";
+    const scene = this.scene;
+    if (scene === null) return;
+    const middle = new THREE.Vector3(scene.size_x / 2, scene.size_y / 2, 0);
+    if (kind === "orbit") {
+      // The scenario's camera: Euler angles XYZ, (0, 0, 0) looks straight down.
+      const { position, rotation } = scene.camera;
+      const looks = new THREE.Vector3(0, 0, -1).applyEuler(new THREE.Euler(...rotation, "XYZ"));
+      this.camera.position.set(...position);
+      const reach = looks.z < -0.05 ? position[2] / -looks.z : middle.distanceTo(this.camera.position);
+      this.controls.target.copy(this.camera.position).addScaledVector(looks, reach);
+    } else if (kind === "top") {
+      const half = Math.tan((this.camera.fov * Math.PI) / 360);
+      const high = Math.max(scene.size_y, scene.size_x / this.camera.aspect) / 2 / half;
+      this.camera.position.set(middle.x, middle.y - 0.001, 1.06 * high);
+      this.controls.target.copy(middle);
+    } else if (kind === "follow") {
+      const state = this.states[this.chosen];
+      if (state !== undefined) {
+        this.controls.target.set(state.x, state.y, 0.1);
+        this.camera.position.set(
+          state.x - 0.9 * Math.cos(state.yaw), state.y - 0.9 * Math.sin(state.yaw), 0.65);
+      }
+    }
+    this.controls.update();
+  }
+
+  choose(robot: number): void {
+    this.chosen = robot;
+  }
+
+  /** The robot under a place of the page, -1 for none. */
+  robotAt(x: number, y: number): number {
+    const groups = this.robots.map((robot) => robot.group);
+    for (const hit of this.ray(x, y).intersectObjects(groups, true)) {
+      const robot: unknown = hit.object.userData["robot"];
+      if (typeof robot === "number" && hit.object.type === "Mesh") return robot;
+    }
+    return -1;
+  }
+
+  /** Where a robot is on the page. */
+  find(robot: number): { x: number; y: number } {
+    const box = this.canvas.getBoundingClientRect();
+    const model = this.robots[robot];
+    const at = new THREE.Vector3(0, 0, (model?.robot.height ?? 0) / 2);
+    if (model !== undefined) at.add(model.group.position);
+    this.camera.updateMatrixWorld();
+    at.project(this.camera);
+    return {
+      x: box.left + ((at.x + 1) / 2) * box.width,
+      y: box.top + ((1 - at.y) / 2) * box.height,
+    };
+  }
+
+  /** The point of the floor under a place of the page. */
+  floorAt(x: number, y: number): THREE.Vector3 | null {
+    const floor = new THREE.Plane(new THREE.Vector3(0, 0, 1), 0);
+    return this.ray(x, y).ray.intersectPlane(floor, new THREE.Vector3());
+  }
+
+  setControls(on: boolean): void {
+    this.controls.enabled = on && this.kind !== "robot";
+  }
+
+  private ray(x: number, y: number): THREE.Raycaster {
+    const box = this.canvas.getBoundingClientRect();
+    const place = new THREE.Vector2(
+      ((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2);
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(place, this.camera);
+    return ray;
+  }
+
+  private addFloor(scene: Scene): void {
+    const floor = new THREE.Mesh(
+      new THREE.BoxGeometry(scene.size_x, scene.size_y, 0.04),
+      surface(this.quality, { color: scene.floor, roughness: 0.9 }),
+    );
+    floor.position.set(scene.size_x / 2, scene.size_y / 2, -0.02);
+    floor.receiveShadow = true;
+    this.content.add(floor);
+    const around = new THREE.Mesh(
+      new THREE.CircleGeometry(40 * Math.max(1, scene.size_x, scene.size_y), 64),
+      new THREE.ShadowMaterial({ opacity: 0.16 }),
+    );
+    around.position.set(scene.size_x / 2, scene.size_y / 2, -0.04);
+    around.receiveShadow = true;
+    this.content.add(around);
+  }
+
+  private addLights(scene: Scene): void {
+    const size = Math.max(scene.size_x, scene.size_y);
+    const middle = new THREE.Vector3(scene.size_x / 2, scene.size_y / 2, 0);
+    const sunAt = scene.lights.find((light) => light.kind === "sun")?.position;
+    const sun = new THREE.DirectionalLight(0xfff4e2, 2.1);
+    const from = new THREE.Vector3(...(sunAt ?? [-0.5, -0.7, 1.4])).normalize();
+    if (from.x === 0 && from.y === 0) from.set(-0.35, -0.5, 1).normalize();
+    sun.position.copy(middle).addScaledVector(from, 2.5 * size);
+    sun.target.position.copy(middle);
+    sun.castShadow = true;
+    const texels = this.quality === "high" ? 2048 : 1024;
+    sun.shadow.mapSize.set(texels, texels);
+    const half = 0.75 * size;
+    Object.assign(sun.shadow.camera, {
+      left: -half, right: half, top: half, bottom: -half, near: 0.1, far: 6 * size,
+    });
+    sun.shadow.normalBias = 0.01;
+    sun.shadow.radius = 4;
+    this.content.add(sun, sun.target);
+    for (const light of scene.lights) {
+      if (light.kind !== "spot" || this.quality === "low") continue;
+      const spot = new THREE.SpotLight(0xffffff, 2.5 * light.energy, 0, Math.PI / 4, 0.8, 1.6);
+      spot.position.set(...light.position);
+      spot.target.position.copy(middle);
+      this.content.add(spot, spot.target);
+    }
+  }
+
+  private showCanvas(frame: Frame): void {
+    const scene = this.scene;
+    if (scene === null || frame.canvasWidth === 0) return;
+    const { canvasWidth: width, canvasHeight: height } = frame;
+    if (this.canvasTexture === null || this.canvasTexture.image.width !== width ||
+        this.canvasTexture.image.height !== height) {
+      this.canvasPixels = new Uint8Array(4 * width * height);
+      this.canvasTexture = new THREE.DataTexture(this.canvasPixels, width, height);
+      this.canvasTexture.colorSpace = THREE.SRGBColorSpace;
+      this.canvasTexture.magFilter = THREE.NearestFilter;
+      if (this.canvasPlane !== null) this.content.remove(this.canvasPlane);
+      // Square cells that cover the whole world (canvas.h).
+      const cell = Math.max(scene.size_x / width, scene.size_y / height);
+      this.canvasPlane = new THREE.Mesh(
+        new THREE.PlaneGeometry(cell * width, cell * height),
+        new THREE.MeshBasicMaterial({
+          map: this.canvasTexture, transparent: true, opacity: scene.canvas.alpha,
+          depthWrite: false, toneMapped: false,
+        }),
+      );
+      this.canvasPlane.position.set((cell * width) / 2, (cell * height) / 2, 0.002);
+      this.canvasPlane.renderOrder = 1;
+      this.canvasPlane.visible = this.groundCanvas;
+      this.content.add(this.canvasPlane);
+    }
+    if (frame.rows.length === 0) return;
+    for (const row of frame.rows) this.canvasPixels.set(row.rgba, 4 * width * row.y);
+    this.canvasTexture.needsUpdate = true;
+  }
+
+  private setDark(dark: boolean): void {
+    this.world.background = new THREE.Color(dark ? 0x151c24 : 0xdfe6ec);
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    this.renderer.setPixelRatio(this.quality === "high" ? Math.min(2, devicePixelRatio) : 0.75);
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / Math.max(1, clientHeight);
+    this.camera.updateProjectionMatrix();
+  }
+
+  private draw(): void {
+    const state = this.states[this.chosen];
+    const robot = this.robots[this.chosen];
+    if (state !== undefined && robot !== undefined) {
+      if (this.kind === "follow") {
+        const to = new THREE.Vector3(state.x, state.y, 0.1);
+        this.camera.position.add(to.clone().sub(this.controls.target));
+        this.controls.target.copy(to);
+      } else if (this.kind === "robot") {
+        const eye = robot.robot.height + 0.03;
+        this.camera.position.set(state.x, state.y, eye);
+        this.camera.lookAt(
+          state.x + Math.cos(state.yaw), state.y + Math.sin(state.yaw), eye - 0.12);
+      }
+    }
+    if (this.kind !== "robot") this.controls.update();
+    robot?.group.traverse((object) => {
+      // From its own eyes a robot does not see itself.
+      if (object instanceof THREE.Mesh && object.material.depthWrite !== false) {
+        object.visible = this.kind !== "robot";
+      }
+    });
+    // Shadows of what moves little may be a few frames late where each costs.
+    if (this.quality === "low" && this.frames % 4 === 0) this.renderer.shadowMap.needsUpdate = true;
+    this.renderer.render(this.world, this.camera);
+    ++this.frames;
+  }
+}
