@@ -44,6 +44,9 @@ async function look(address) {
   page.setDefaultTimeout(LONG);
   page.problems = [];
   page.on("pageerror", (error) => page.problems.push(error.message));
+  page.on("console", (message) => {
+    if (message.type() === "warning" || message.type() === "error") page.problems.push(message.text());
+  });
   await page.goto(address);
   await page.waitForFunction(() => window.ccmorse?.frame() !== null);
   return page;

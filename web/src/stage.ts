@@ -150,7 +150,7 @@ function nameTag(text: string): THREE.Sprite {
 // Physically based where the picture may cost, else plain diffuse.
 function surface(quality: Quality, options: THREE.MeshStandardMaterialParameters): THREE.Material {
   if (quality === "high") return new THREE.MeshStandardMaterial(options);
-  return new THREE.MeshLambertMaterial({ color: options.color, side: options.side });
+  return new THREE.MeshLambertMaterial({ color: options.color, side: options.side ?? THREE.FrontSide });
 }
 
 class RobotModel {
@@ -296,7 +296,9 @@ export class Stage {
       this.world.environment = light.fromScene(new RoomEnvironment(), 0.04).texture;
       this.world.environmentIntensity = 0.45;
     } else {
-      this.world.add(new THREE.HemisphereLight(0xffffff, 0xb0a898, 1.2));
+      const sky = new THREE.HemisphereLight(0xffffff, 0xb0a898, 1.5);
+      sky.position.set(0, 0, 1);
+      this.world.add(sky);
     }
     this.world.add(this.content);
     this.setDark(matchMedia("(prefers-color-scheme: dark)").matches);
