@@ -35,6 +35,7 @@ constexpr int kMostSamples = 10000;
 constexpr int kMostLayers = 128;
 constexpr int kMostBeams = 100000;  // of all layers
 constexpr std::size_t kMostMounts = 1000;
+constexpr std::size_t kMostHullCorners = 64;
 constexpr std::size_t kMostCorners = 16;  // of a footprint: what the simulator moves at once
 constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max();
 
@@ -368,7 +369,8 @@ PoseNoiseDef ReadPoseNoise(const Field& field) {
   return noise;
 }
 
-std::vector<Vec2> ReadOutline(const Field& field) {
+// Strictly convex and counter-clockwise.
+std::vector<Vec2> ReadOutline(const Field& field, std::size_t most) {
   std::vector<Vec2> outline;
   const Range place{-kFarthest, kFarthest};
   for (const Field& corner : field.Items()) {
@@ -378,8 +380,8 @@ std::vector<Vec2> ReadOutline(const Field& field) {
     }
     outline.push_back({numbers[0].Number(place), numbers[1].Number(place)});
   }
-  if (outline.size() < 3 || outline.size() > kMostCorners) {
-    field.FailHere(fmt::format("has {} corners, must have 3..{}", outline.size(), kMostCorners));
+  if (outline.size() < 3 || outline.size() > most) {
+    field.FailHere(fmt::format("has {} corners, must have 3..{}", outline.size(), most));
   }
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 a = outline[i];
@@ -398,12 +400,12 @@ BodyDef ReadBody(const Field& field) {
   static const std::vector<std::string> drives = {"diff", "omni", "car"};
   ObjectReader reader(field);
   BodyDef body;
-  body.footprint = ReadOutline(reader.Require("footprint"));
+  body.footprint = ReadOutline(reader.Require("footprint"), kMostCorners);
   if (reader.Has("hull")) {
     for (const Field& item : reader.Require("hull").Items()) {
       ObjectReader part_reader(item);
       HullPart part;
-      part.outline = ReadOutline(part_reader.Require("outline"));
+      part.outline = ReadOutline(part_reader.Require("outline"), kMostHullCorners);
       part.bottom = part_reader.Number("bottom", 0.0, {0.0, kFarthest});
       part.top = part_reader.Require("top").Number({part.bottom, kFarthest, true});
       part_reader.Finish();
@@ -486,7 +488,7 @@ RobotDef ReadRobot(const Field& field, std::size_t number) {
   robot.name = number == 0 ? "s1r" : fmt::format("s1r_{}", number + 1);
   if (reader.Has("name")) robot.name = reader.Require("name").Identifier();
   std::vector<std::string> types = RobotTypes();
-  types.push_back(kCustom);
+  types.insert(std::lower_bound(types.begin(), types.end(), kCustom), kCustom);
   robot.type = reader.Choice("type", robot.type, types);
   const bool custom = robot.type == kCustom;
   if (custom) ReadCustom(reader, robot);

@@ -125,7 +125,7 @@ struct HullPart {
 
 /// The body of a robot of type "Custom": what a model of robots.h says of the others.
 struct BodyDef {
-  std::vector<HullPart> hull;   ///< what scanners of others see; may be empty
+  std::vector<HullPart> hull;   ///< what scanners of others see: 0 or more of 3..64 corners
   std::vector<Vec2> footprint;  ///< m, convex, counter-clockwise, 3..16 corners: what touches
   double mass = 10.0;           ///< kg, > 0
   std::string drive = "diff";   ///< "diff", "omni" or "car" (specs: player.md C.3)

@@ -421,7 +421,7 @@ TEST(StageWorldC3, FurtherRangersHaveNamesOfTheirOwn) {
   ASSERT_EQ(robot.rangers.size(), 2U);
   EXPECT_EQ(robot.rangers[0].name, "rear");
   EXPECT_TRUE(robot.rangers[0].laser.has_value());
-  EXPECT_EQ(robot.rangers[1].name, "ranger_2");
+  EXPECT_EQ(robot.rangers[1].name, "ranger_3");  // the fourth ranger
   EXPECT_TRUE(robot.rangers[1].ring.has_value());
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 const std::string kWorlds = CCMORSE_SOURCE_DIR "/tests/worlds/";
 
-void Run(Simulation& simulation, double seconds) {
+void Advance(Simulation& simulation, double seconds) {
   const auto ticks = static_cast<int>(std::lround(seconds * simulation.scenario().time.frequency));
   for (int i = 0; i < ticks; ++i) {
     simulation.Sense();
@@ -59,7 +59,7 @@ TEST_P(ImportedWorld, LoadsAndRunsTwoSeconds) {
     starts.push_back(robot->pose());
     robot->Command({0.2, 0.3, 0.1}, nullptr);
   }
-  Run(simulation, 2.0);
+  Advance(simulation, 2.0);
   for (std::size_t i = 0; i < simulation.robots().size(); ++i) {
     const Robot& robot = *simulation.robots()[i];
     // It moved, unless it met something at once, and what it met it does not overlap.
@@ -78,13 +78,13 @@ TEST_P(ImportedWorld, IsTheSameScenarioWhenWrittenAsJson) {
   EXPECT_EQ(ToJson(read).Dump(), written);
   Simulation first(imported.scenario);
   Simulation second(read);
-  Run(first, 0.5);
-  Run(second, 0.5);
+  Advance(first, 0.5);
+  Advance(second, 0.5);
   EXPECT_EQ(first.Hash(), second.Hash());
 }
 
-INSTANTIATE_TEST_SUITE_P(C3, ImportedWorld, testing::ValuesIn(WorldFiles()), [](const auto& info) {
-  std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(C3, ImportedWorld, testing::ValuesIn(WorldFiles()), [](const auto& param) {
+  std::string name = param.param;
   std::replace(name.begin(), name.end(), '.', '_');
   return name;
 });
@@ -93,7 +93,7 @@ TEST(ImportedWorlds, ThereAreTenAndMore) { EXPECT_GE(WorldFiles().size(), 16U); 
 
 TEST(ImportedWorlds, AScannerSeesTheWallsThatABitmapMakes) {
   Simulation simulation(scene::ImportScenario(kWorlds + "course.world").scenario);
-  Run(simulation, 0.1);
+  Advance(simulation, 0.1);
   const std::vector<double>& scan = Scan(simulation, "r0.hokuyo");
   ASSERT_EQ(scan.size(), 622U);
   // Right-most beam looks 135 degrees to the right, at the wall on the left: 0.9 - 0.025 m of x
@@ -114,10 +114,10 @@ TEST(ImportedWorlds, WhatIsInvisibleIsNotSeenAndWhatIsNoObstacleDoesNotStop) {
   for (const Case& c : {Case{")", 0.9, true}, Case{"ranger_return -1 )", 5.0, true},
                         Case{"obstacle_return 0 )", 0.9, false}}) {
     Simulation simulation(World(robot + wall + c.properties));
-    Run(simulation, 0.1);
+    Advance(simulation, 0.1);
     EXPECT_NEAR(Scan(simulation, "r.hokuyo")[1], c.range, 1e-9) << c.properties;
     simulation.robots()[0]->Command({1.0, 0.0}, nullptr);
-    Run(simulation, 1.0);
+    Advance(simulation, 1.0);
     EXPECT_EQ(simulation.robots()[0]->stalled(), c.stops) << c.properties;
   }
 }
@@ -128,7 +128,7 @@ TEST(ImportedWorlds, RobotsOfOtherSizesSeeEachOther) {
             "  ranger ( pose [ 0 0 -0.2 0 ] sensor ( range [ 0 5 ] fov 10 samples 3 ) ) )\n"
             "position ( name \"b\" size [ 0.6 0.2 0.3 ] pose [ 2 0 0 0 ] )\n"
             "position ( name \"c\" size [ 0.2 0.2 0.1 ] pose [ 1 0 0 0 ] )"));
-  Run(simulation, 0.1);
+  Advance(simulation, 0.1);
   // c is lower than the scanner.
   EXPECT_NEAR(Scan(simulation, "a.hokuyo")[1], 2.0 - 0.3, 1e-9);
 }
@@ -139,7 +139,7 @@ TEST(ImportedWorlds, SonarsSitWhereTheWorldPutsThem) {
             "position ( name \"a\" size [ 0.4 0.4 0.3 ] ranger ( pose [ 0 0 -0.1 0 ]\n"
             "  sensor ( pose [ 0.2 0 0 0 ] range [ 0 4 ] fov 10 )\n"
             "  sensor ( pose [ -0.2 0 0 180 ] range [ 0 4 ] fov 10 ) ) )"));
-  Run(simulation, 0.1);
+  Advance(simulation, 0.1);
   const auto& ring = dynamic_cast<const RangeRing&>(*simulation.FindComponent("a.sonar"));
   ASSERT_EQ(ring.ranges().size(), 2U);
   EXPECT_NEAR(ring.ranges()[0], 1.9 - 0.2, 1e-6);
@@ -153,7 +153,7 @@ TEST(ImportedWorlds, AnOmnidirectionalRobotGoesSidewaysAndADifferentialOneDoesNo
       "position ( name \"diff\" pose [ 0 -3 0 0 ] )"));
   const Vec2 origin = simulation.scenario().world.origin;
   for (const auto& robot : simulation.robots()) robot->Command({0.0, 0.0, 2.0}, nullptr);
-  Run(simulation, 1.0);
+  Advance(simulation, 1.0);
   const Pose2& omni = simulation.FindRobot("omni")->pose();
   EXPECT_NEAR(omni.x - origin.x, 0.0, 1e-12);
   EXPECT_NEAR(omni.y - origin.y, 0.5, 1e-9);  // clamped to its bounds
@@ -177,7 +177,7 @@ TEST(ImportedWorlds, AnOmnidirectionalRobotStopsBesideAWall) {
       World("model ( size [ 4 0.2 1 ] pose [ 0 1 0 0 ] )\n"
             "position ( name \"omni\" size [ 0.4 0.4 0.2 ] drive \"omni\" )"));
   simulation.robots()[0]->Command({0.0, 0.0, 1.0}, nullptr);
-  Run(simulation, 3.0);
+  Advance(simulation, 3.0);
   EXPECT_TRUE(simulation.robots()[0]->stalled());
   EXPECT_NEAR(simulation.robots()[0]->pose().y - simulation.scenario().world.origin.y, 0.7, 2e-5);
 }
@@ -196,7 +196,7 @@ TEST(ImportedWorlds, OdometryCountsWithAGainErrorThatARunKeeps) {
     scenario.seed = seed;
     Simulation simulation(std::move(scenario));
     simulation.robots()[0]->Command({0.5, 0.0}, nullptr);
-    Run(simulation, seconds);
+    Advance(simulation, seconds);
     simulation.Sense();
     return Odometry(simulation, "r.odometry")[0] / (0.5 * seconds);
   };
@@ -218,7 +218,7 @@ TEST(ImportedWorlds, OdometryBeginsWhereLocalizationOriginSays) {
       World("position ( name \"r\" pose [ 1 2 0 90 ] localization \"odom\"\n"
             "  localization_origin [ 1 0 0 0 ] odom_error [ 0 0 0 0 ] )"));
   simulation.robots()[0]->Command({0.5, 0.0}, nullptr);
-  Run(simulation, 2.0);
+  Advance(simulation, 2.0);
   simulation.Sense();
   const std::vector<double> numbers = Odometry(simulation, "r.odometry");
   EXPECT_NEAR(numbers[0], 0.0, 1e-9);
