@@ -57,6 +57,7 @@ std::vector<Vec3> PlacedVertices(const Mesh& mesh) {
 
 std::vector<std::vector<Vec2>> MeshOutlines(const Mesh& mesh) {
   static const Slab slab = RobotSlab();
+  if (!mesh.solid) return {};
   const std::vector<Vec3> vertices = PlacedVertices(mesh);
   std::vector<std::vector<Vec2>> outlines;
   for (const auto& [a, b, c] : mesh.triangles) {

@@ -52,8 +52,8 @@ RobotModel S1r() {
   // robot leaves a gap between the two hulls, 0.06 to 0.13 m above the bottom: in its middle, and
   // below the lowest obstacles' 0.13 m.
   model.ring_height = bottom + 0.095;
-  model.ir = {10.0, 0.05, 0.35, 2.0};
-  model.sonar = {10.0, 0.05, 5.0, 50.0};
+  model.ir = {10.0, 0.05, 0.35, 2.0, {}};
+  model.sonar = {10.0, 0.05, 5.0, 50.0, {}};
   model.sonar_mounts = {{-0.020, 0.063, Radians(90.0)},
                         {-0.020, -0.063, Radians(-90.0)},
                         {-0.078, 0.0, Radians(180.0)}};
@@ -93,6 +93,40 @@ const RobotModel& FindRobotModel(const std::string& type) {
   std::string known;
   for (const std::string& name : types) known += (known.empty() ? "" : ", ") + name;
   throw Error("unknown robot type '" + type + "', known: " + known + DidYouMean(type, types));
+}
+
+RobotModel ModelOf(const RobotDef& robot) {
+  if (!robot.body) return FindRobotModel(robot.type);
+  const BodyDef& body = *robot.body;
+  RobotModel model;
+  model.type = robot.type;
+  model.hull = body.hull;
+  model.footprint = body.footprint;
+  Vec2 low = body.footprint.front();
+  Vec2 high = low;
+  const auto cover = [&](const std::vector<Vec2>& outline) {
+    for (const Vec2 corner : outline) {
+      low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
+      high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
+    }
+  };
+  cover(body.footprint);
+  for (const HullPart& part : body.hull) {
+    cover(part.outline);
+    model.height = std::max(model.height, part.top);
+  }
+  model.length = high.x - low.x;
+  model.width = high.y - low.y;
+  model.mass = body.mass;
+  model.wheel_track = model.width;  // as good a guess as any: nothing depends on it
+  model.max_speed = body.max_speed;
+  model.max_side_speed = body.max_side_speed;
+  model.max_turn_rate = body.max_turn_rate;
+  model.proxies = {{"position2d", {{0, "pose"}}}};
+  model.sonar = {10.0, 0.0, 5.0, 15.0, {}};
+  model.ir = model.sonar;
+  model.laser.position = {};
+  return model;
 }
 
 std::vector<std::string> RobotTypes() {

@@ -8,13 +8,6 @@
 
 namespace ccmorse::scene {
 
-/// An upright prism of a robot's hull.
-struct HullPart {
-  std::vector<Vec2> outline;  ///< m, convex, counter-clockwise, in the robot's frame
-  double bottom = 0.0;        ///< m above the floor
-  double top = 0.0;           ///< m above the floor
-};
-
 /// A type of robot: what all robots of the type share (specs: syrotek.md A for the S1R).
 struct RobotModel {
   std::string type;
@@ -31,6 +24,7 @@ struct RobotModel {
   double wheel_mass = 0.0;        ///< kg, one wheel
   double wheel_track = 0.0;       ///< m between the wheels' middles
   double max_speed = 0.0;         ///< m/s; commands are clamped to it
+  double max_side_speed = 0.0;    ///< m/s; only omnidirectional robots have any
   double max_turn_rate = 0.0;     ///< rad/s; commands are clamped to it
   LaserDef laser;                 ///< the scanner as delivered
   ProxyTable proxies;             ///< Player indexes where the scenario gives none
@@ -45,7 +39,10 @@ struct RobotModel {
 /// The model of a type. Throws Error that names the known types.
 const RobotModel& FindRobotModel(const std::string& type);
 
-/// Names of all types, sorted.
+/// The model of this very robot: its type's, or what its body says where the type is "Custom".
+RobotModel ModelOf(const RobotDef& robot);
+
+/// Names of all types, sorted; "Custom" is none of them, as it has no model of its own.
 std::vector<std::string> RobotTypes();
 
 }  // namespace ccmorse::scene

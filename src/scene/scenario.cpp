@@ -30,9 +30,13 @@ constexpr const char* kDefaultRobots = "[{}]";
 // free of every box, whichever are up.
 constexpr Pose2 kDefaultPose{1.20, 2.00, Radians(150.0)};
 constexpr double kFarthest = 1000.0;  // m; more is a mistake in the unit
+constexpr double kFastest = 100.0;    // m/s or rad/s, likewise
 constexpr int kMostSamples = 10000;
 constexpr int kMostLayers = 128;
 constexpr int kMostBeams = 100000;  // of all layers
+constexpr std::size_t kMostMounts = 1000;
+constexpr std::size_t kMostHullCorners = 64;
+constexpr std::size_t kMostCorners = 16;  // of a footprint: what the simulator moves at once
 constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max();
 
 // Player's interfaces and what of a robot can serve them (thesis 4.1.2).
@@ -41,6 +45,8 @@ const std::map<std::string, std::vector<std::string>>& DevicesOfInterface() {
       {"position2d", {"pose", "odometry"}}, {"laser", {"hokuyo"}}};
   return devices;
 }
+
+const std::string kCustom = "Custom";
 
 World ReadWorldChoice(const Field& field) {
   if (field.value().IsString()) {
@@ -227,6 +233,25 @@ LaserDef ReadLaser(const Field& field, const LaserDef& delivered) {
   return laser;
 }
 
+// [[x, y, z, yaw], ...], as the ring's get_configurations gives them.
+std::vector<RingMount> ReadMounts(const Field& field) {
+  std::vector<RingMount> mounts;
+  for (const Field& pose : field.Items()) {
+    const std::vector<Field> numbers = pose.Items();
+    if (numbers.size() != 4) {
+      pose.FailHere(fmt::format("has {} numbers, must be [x, y, z, yaw]", numbers.size()));
+    }
+    const Range place{-kFarthest, kFarthest};
+    mounts.push_back(
+        {{numbers[0].Number(place), numbers[1].Number(place), numbers[2].Number(place)},
+         numbers[3].Number({-20.0 * kPi, 20.0 * kPi})});
+  }
+  if (mounts.empty() || mounts.size() > kMostMounts) {
+    field.FailHere(fmt::format("has {} poses, must have 1..{}", mounts.size(), kMostMounts));
+  }
+  return mounts;
+}
+
 // true for the ring as delivered, false for none, an object for one with settings of its own.
 std::optional<RingDef> ReadRing(const Field& field, const RingDef& delivered) {
   if (field.value().IsBool()) {
@@ -243,6 +268,7 @@ std::optional<RingDef> ReadRing(const Field& field, const RingDef& delivered) {
   ring.min_range =
       reader.Number("min_range", std::min(ring.min_range, ring.range / 2.0), {0.0, kFarthest});
   ring.cone_deg = reader.Number("cone_deg", ring.cone_deg, {0.0, 170.0, true});
+  if (reader.Has("poses")) ring.mounts = ReadMounts(reader.Require("poses"));
   reader.Finish();
   if (ring.min_range >= ring.range) {
     field.FailHere(fmt::format("has a min_range of {} m, must be less than its range of {} m",
@@ -251,9 +277,25 @@ std::optional<RingDef> ReadRing(const Field& field, const RingDef& delivered) {
   return ring;
 }
 
+// Nobody but the file knows where the range sensors of a Custom robot sit.
+void CheckRings(ObjectReader& reader, const RobotDef& robot) {
+  if (!robot.body) return;
+  if (robot.ir && robot.ir->mounts.empty()) {
+    reader.Require("ir").FailHere("lacks 'poses': where the sensors of a Custom robot sit");
+  }
+  if (robot.sonar && robot.sonar->mounts.empty()) {
+    reader.Require("sonar").FailHere("lacks 'poses': where the sensors of a Custom robot sit");
+  }
+}
+
 // With the sensor module in its front bay a robot has no laser to talk of.
 void CheckModule(ObjectReader& reader, const RobotDef& robot) {
   if (robot.front == "laser") return;
+  if (robot.front == "none") {
+    const auto table = robot.proxies.find("laser");
+    if (table == robot.proxies.end() || table->second.empty()) return;
+    reader.Require("proxies").FailHere("name the 'hokuyo', but this robot has no 'laser'; add one");
+  }
   const Field front = reader.Require("front");
   if (reader.Has("laser")) {
     reader.Require("laser").FailHere(
@@ -264,7 +306,7 @@ void CheckModule(ObjectReader& reader, const RobotDef& robot) {
     reader.Require("proxies").FailHere(
         "name the 'hokuyo', which this robot's front sensor module has taken the place of");
   }
-  if (!robot.ir && !robot.sonar) {
+  if (robot.front == "sensors" && !robot.ir && !robot.sonar) {
     front.FailHere("is the sensor module, so add \"ir\": true, \"sonar\": true or both");
   }
 }
@@ -327,27 +369,147 @@ PoseNoiseDef ReadPoseNoise(const Field& field) {
   return noise;
 }
 
+// Strictly convex and counter-clockwise.
+std::vector<Vec2> ReadOutline(const Field& field, std::size_t most) {
+  std::vector<Vec2> outline;
+  const Range place{-kFarthest, kFarthest};
+  for (const Field& corner : field.Items()) {
+    const std::vector<Field> numbers = corner.Items();
+    if (numbers.size() != 2) {
+      corner.FailHere(fmt::format("has {} numbers, must be [x, y]", numbers.size()));
+    }
+    outline.push_back({numbers[0].Number(place), numbers[1].Number(place)});
+  }
+  if (outline.size() < 3 || outline.size() > most) {
+    field.FailHere(fmt::format("has {} corners, must have 3..{}", outline.size(), most));
+  }
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 a = outline[i];
+    const Vec2 b = outline[(i + 1) % outline.size()];
+    const Vec2 c = outline[(i + 2) % outline.size()];
+    if (!(Cross(b - a, c - b) > 0.0)) {
+      field.FailHere(fmt::format(
+          "must turn left at each corner, convex and counter-clockwise, but not at ({}, {})", b.x,
+          b.y));
+    }
+  }
+  return outline;
+}
+
+BodyDef ReadBody(const Field& field) {
+  static const std::vector<std::string> drives = {"diff", "omni", "car"};
+  ObjectReader reader(field);
+  BodyDef body;
+  body.footprint = ReadOutline(reader.Require("footprint"), kMostCorners);
+  if (reader.Has("hull")) {
+    for (const Field& item : reader.Require("hull").Items()) {
+      ObjectReader part_reader(item);
+      HullPart part;
+      part.outline = ReadOutline(part_reader.Require("outline"), kMostHullCorners);
+      part.bottom = part_reader.Number("bottom", 0.0, {0.0, kFarthest});
+      part.top = part_reader.Require("top").Number({part.bottom, kFarthest, true});
+      part_reader.Finish();
+      body.hull.push_back(std::move(part));
+    }
+  }
+  body.mass = reader.Number("mass", body.mass, {0.0, 1e6, true});
+  body.drive = reader.Choice("drive", body.drive, drives);
+  body.wheelbase = reader.Number("wheelbase", body.wheelbase, {0.0, kFarthest, true});
+  body.max_speed = reader.Number("max_speed", body.max_speed, {0.0, kFastest, true});
+  const double side = body.drive == "omni" ? body.max_speed : 0.0;
+  body.max_side_speed = reader.Number("max_side_speed", side, {0.0, kFastest});
+  if (body.max_side_speed > 0.0 && body.drive != "omni") {
+    reader.Require("max_side_speed").FailHere("is for robots whose drive is \"omni\"; remove it");
+  }
+  body.max_turn_rate = reader.Number("max_turn_rate", body.max_turn_rate, {0.0, kFastest, true});
+  reader.Finish();
+  return body;
+}
+
+OdometryDef ReadOdometry(const Field& field) {
+  ObjectReader reader(field);
+  OdometryDef odometry;
+  if (reader.Has("start")) odometry.start = ReadPose(reader.Require("start"));
+  odometry.error = reader.Vector("error", odometry.error, 1.0);
+  const Vec3& error = odometry.error;
+  if (error.x < 0.0 || error.y < 0.0 || error.z < 0.0) {
+    reader.Require("error").FailHere("must be 0..1, forward, sideways and in turning");
+  }
+  reader.Finish();
+  return odometry;
+}
+
+std::vector<RangerDef> ReadRangers(const Field& field, const RobotModel& model) {
+  static const std::vector<std::string> taken = {
+      "pose", "odometry", "hokuyo", "ir", "sonar", "properties", "motion", "waypoint", "pen"};
+  std::vector<RangerDef> rangers;
+  for (const Field& item : field.Items()) {
+    ObjectReader reader(item);
+    RangerDef ranger;
+    const Field name = reader.Require("name");
+    ranger.name = name.Identifier();
+    const bool twice =
+        std::find(taken.begin(), taken.end(), ranger.name) != taken.end() ||
+        std::any_of(rangers.begin(), rangers.end(),
+                    [&ranger](const RangerDef& other) { return other.name == ranger.name; });
+    if (twice) {
+      name.FailHere(fmt::format("is {}, as is another component of the robot; choose another name",
+                                Quoted(ranger.name)));
+    }
+    if (reader.Has("laser") == reader.Has("ring")) {
+      item.FailHere("must have either a 'laser' or a 'ring'");
+    }
+    if (reader.Has("laser")) {
+      ranger.laser = ReadLaser(reader.Require("laser"), model.laser);
+    } else {
+      const Field ring = reader.Require("ring");
+      RingDef delivered = model.sonar;
+      ranger.ring = ReadRing(ring, delivered);
+      if (!ranger.ring || ranger.ring->mounts.empty()) {
+        ring.FailHere("lacks 'poses': where its sensors sit");
+      }
+    }
+    reader.Finish();
+    rangers.push_back(std::move(ranger));
+  }
+  return rangers;
+}
+
+// A robot of type Custom says itself what the model of another type would.
+void ReadCustom(ObjectReader& reader, RobotDef& robot) {
+  robot.body = ReadBody(reader.Require("body"));
+  robot.front = reader.Has("laser") ? "laser" : "none";
+  robot.front = reader.Choice("front", robot.front, std::vector<std::string>{robot.front});
+}
+
 RobotDef ReadRobot(const Field& field, std::size_t number) {
   ObjectReader reader(field);
   RobotDef robot;
   robot.name = number == 0 ? "s1r" : fmt::format("s1r_{}", number + 1);
   if (reader.Has("name")) robot.name = reader.Require("name").Identifier();
-  const std::vector<std::string> types = RobotTypes();
+  std::vector<std::string> types = RobotTypes();
+  types.insert(std::lower_bound(types.begin(), types.end(), kCustom), kCustom);
   robot.type = reader.Choice("type", robot.type, types);
-  const RobotModel& model = FindRobotModel(robot.type);
+  const bool custom = robot.type == kCustom;
+  if (custom) ReadCustom(reader, robot);
+  const RobotModel model = ModelOf(robot);
   robot.proxies = model.proxies;
   robot.laser = model.laser;
   robot.pose = reader.Has("pose") ? ReadPose(reader.Require("pose")) : kDefaultPose;
   robot.color = reader.ReadColor("color", robot.color);
   static const std::vector<std::string> fronts = {"laser", "sensors"};
-  robot.front = reader.Choice("front", robot.front, fronts);
+  if (!custom) robot.front = reader.Choice("front", robot.front, fronts);
+  if (robot.front == "laser" && custom) robot.proxies["laser"][0] = "hokuyo";
   if (robot.front == "sensors") robot.proxies.erase("laser");
   if (reader.Has("ir")) robot.ir = ReadRing(reader.Require("ir"), model.ir);
   if (reader.Has("sonar")) robot.sonar = ReadRing(reader.Require("sonar"), model.sonar);
   if (reader.Has("proxies")) ReadProxies(reader.Require("proxies"), robot.proxies);
   if (reader.Has("drivers")) ReadDrivers(reader.Require("drivers"), robot.drivers);
   if (reader.Has("laser")) robot.laser = ReadLaser(reader.Require("laser"), robot.laser);
+  if (reader.Has("rangers")) robot.rangers = ReadRangers(reader.Require("rangers"), model);
   if (reader.Has("pose_noise")) robot.pose_noise = ReadPoseNoise(reader.Require("pose_noise"));
+  if (reader.Has("odometry")) robot.odometry = ReadOdometry(reader.Require("odometry"));
+  CheckRings(reader, robot);
   CheckModule(reader, robot);
   reader.Finish();
   return robot;
@@ -355,7 +517,8 @@ RobotDef ReadRobot(const Field& field, std::size_t number) {
 
 std::vector<Vec2> Outline(const RobotDef& robot) {
   std::vector<Vec2> outline;
-  for (const Vec2 corner : FindRobotModel(robot.type).footprint) {
+  const RobotModel* const model = robot.body ? nullptr : &FindRobotModel(robot.type);
+  for (const Vec2 corner : model != nullptr ? model->footprint : robot.body->footprint) {
     outline.push_back(Transform(robot.pose, corner));
   }
   return outline;
@@ -385,9 +548,10 @@ std::vector<MeshPart> PartsOfMeshes(const World& world) {
   return parts;
 }
 
-// Throws unless the robot stands on the floor, clear of boxes, meshes and of the robots before it.
-void CheckPlace(const Scenario& scenario, const std::vector<MeshPart>& mesh_parts,
-                std::size_t index, const Field& field) {
+// What is wrong unless the robot stands on the floor, clear of boxes, meshes and of the robots
+// before it.
+std::string ProblemOfPlace(const Scenario& scenario, const std::vector<MeshPart>& mesh_parts,
+                           std::size_t index) {
   const RobotDef& robot = scenario.robots[index];
   const std::string who =
       fmt::format("robot '{}' at ({}, {})", robot.name, robot.pose.x, robot.pose.y);
@@ -395,15 +559,15 @@ void CheckPlace(const Scenario& scenario, const std::vector<MeshPart>& mesh_part
   const World& world = scenario.world;
   for (const Vec2 corner : outline) {
     if (corner.x < 0.0 || corner.y < 0.0 || corner.x > world.size_x || corner.y > world.size_y) {
-      field.Fail(fmt::format("{} does not stand on the floor of world '{}', {} x {} m; move it",
-                             who, world.name, world.size_x, world.size_y));
+      return fmt::format("{} does not stand on the floor of world '{}', {} x {} m; move it", who,
+                         world.name, world.size_x, world.size_y);
     }
   }
   for (const Box& box : world.boxes) {
-    if (box.raised && ConvexOverlap(outline, BoxCorners(box.pose, box.size_x, box.size_y))) {
-      field.Fail(fmt::format("{} overlaps box {} ({}) at ({}, {}); move it{}", who, box.id,
-                             box.kind, box.pose.x, box.pose.y,
-                             box.dynamic ? " or lower the box" : ""));
+    if (box.raised && box.solid &&
+        ConvexOverlap(outline, BoxCorners(box.pose, box.size_x, box.size_y))) {
+      return fmt::format("{} overlaps box {} ({}) at ({}, {}); move it{}", who, box.id, box.kind,
+                         box.pose.x, box.pose.y, box.dynamic ? " or lower the box" : "");
     }
   }
   double reach = 0.0;
@@ -418,17 +582,18 @@ void CheckPlace(const Scenario& scenario, const std::vector<MeshPart>& mesh_part
     }
     if (ConvexOverlap(outline, part.outline)) {
       const Mesh& mesh = *part.mesh;
-      field.Fail(fmt::format("{} overlaps mesh {}{}; move it", who, mesh.id,
-                             mesh.name.empty() ? "" : " (" + mesh.name + ")"));
+      return fmt::format("{} overlaps mesh {}{}; move it", who, mesh.id,
+                         mesh.name.empty() ? "" : " (" + mesh.name + ")");
     }
   }
   for (std::size_t i = 0; i < index; ++i) {
     const RobotDef& other = scenario.robots[i];
     if (ConvexOverlap(outline, Outline(other))) {
-      field.Fail(fmt::format("{} overlaps robot '{}' at ({}, {}); move one of them", who,
-                             other.name, other.pose.x, other.pose.y));
+      return fmt::format("{} overlaps robot '{}' at ({}, {}); move one of them", who, other.name,
+                         other.pose.x, other.pose.y);
     }
   }
+  return "";
 }
 
 void ReadRobots(const Field& field, Scenario& scenario) {
@@ -444,7 +609,8 @@ void ReadRobots(const Field& field, Scenario& scenario) {
                       robot.name, items[k].line()));
     }
     scenario.robots.push_back(std::move(robot));
-    CheckPlace(scenario, mesh_parts, i, items[i]);
+    const std::string problem = ProblemOfPlace(scenario, mesh_parts, i);
+    if (!problem.empty()) items[i].Fail(problem);
   }
 }
 
@@ -485,8 +651,35 @@ TimeDef ReadTime(const Field& field) {
   // A read brings what a tick has sensed, so there are at most as many as ticks.
   time.read_frequency = reader.Number(
       "read_frequency", std::min(time.read_frequency, time.frequency), {0.01, time.frequency});
+  time.end = reader.Number("end", time.end, {0.0, 1e9});
   reader.Finish();
   return time;
+}
+
+// What the section says of robots must be true of them.
+void ReadPlayer(const Field& field, Scenario& scenario) {
+  PlayerSetup setup = ReadPlayerSetup(field);
+  std::vector<std::string> names;
+  for (const RobotDef& robot : scenario.robots) names.push_back(robot.name);
+  for (const PlayerDevice& device : setup.devices) {
+    if (device.robot.empty()) continue;
+    const auto found = std::find(names.begin(), names.end(), device.robot);
+    if (found == names.end()) {
+      field.FailHere(fmt::format("serves {}:{} by robot {}, which there is none of{}",
+                                 device.interface, device.index, Quoted(device.robot),
+                                 DidYouMean(device.robot, names)));
+    }
+    const RobotDef& robot =
+        scenario.robots[static_cast<std::size_t>(std::distance(names.begin(), found))];
+    const std::vector<std::string> known = DevicesFor(robot, device.interface);
+    if (std::find(known.begin(), known.end(), device.device) == known.end()) {
+      field.FailHere(fmt::format("serves {}:{} by {} of robot {}, must be {}", device.interface,
+                                 device.index, Quoted(device.device), Quoted(device.robot),
+                                 known.empty() ? "left out: it has nothing to serve it by"
+                                               : "by one of " + Listed(known)));
+    }
+  }
+  scenario.player = std::move(setup);
 }
 
 Scenario ReadScenario(const Json& json, const std::string& file) {
@@ -512,6 +705,7 @@ Scenario ReadScenario(const Json& json, const std::string& file) {
   if (reader.Has("seed")) {
     scenario.seed = static_cast<std::uint64_t>(reader.Require("seed").Integer(0, kMostSeed));
   }
+  if (reader.Has("player")) ReadPlayer(reader.Require("player"), scenario);
   reader.Finish();
   return scenario;
 }
@@ -534,10 +728,41 @@ Json LaserToJson(const LaserDef& laser) {
 }
 
 Json RingToJson(const RingDef& ring) {
-  return Json::Object{{"frequency", ring.frequency},
-                      {"min_range", ring.min_range},
-                      {"range", ring.range},
-                      {"cone_deg", ring.cone_deg}};
+  Json::Object object = {{"frequency", ring.frequency},
+                         {"min_range", ring.min_range},
+                         {"range", ring.range},
+                         {"cone_deg", ring.cone_deg}};
+  if (!ring.mounts.empty()) {
+    Json::Array poses;
+    for (const RingMount& mount : ring.mounts) {
+      const Vec3& at = mount.position;
+      poses.emplace_back(Json::Array{at.x, at.y, at.z, mount.yaw});
+    }
+    object.emplace_back("poses", std::move(poses));
+  }
+  return object;
+}
+
+Json OutlineToJson(const std::vector<Vec2>& outline) {
+  Json::Array corners;
+  for (const Vec2 corner : outline) corners.emplace_back(Json::Array{corner.x, corner.y});
+  return corners;
+}
+
+Json BodyToJson(const BodyDef& body) {
+  Json::Array hull;
+  for (const HullPart& part : body.hull) {
+    hull.emplace_back(Json::Object{
+        {"outline", OutlineToJson(part.outline)}, {"bottom", part.bottom}, {"top", part.top}});
+  }
+  return Json::Object{{"footprint", OutlineToJson(body.footprint)},
+                      {"hull", std::move(hull)},
+                      {"mass", body.mass},
+                      {"drive", body.drive},
+                      {"wheelbase", body.wheelbase},
+                      {"max_speed", body.max_speed},
+                      {"max_side_speed", body.max_side_speed},
+                      {"max_turn_rate", body.max_turn_rate}};
 }
 
 Json RobotToJson(const RobotDef& robot) {
@@ -558,9 +783,23 @@ Json RobotToJson(const RobotDef& robot) {
                          {"pose_noise", Json::Object{{"pos_std", robot.pose_noise.pos_std},
                                                      {"rot_std", robot.pose_noise.rot_std}}},
                          {"front", robot.front}};
+  if (robot.body) object.emplace_back("body", BodyToJson(*robot.body));
+  const OdometryDef& odometry = robot.odometry;
+  object.emplace_back("odometry", Json::Object{{"start", PoseToJson(odometry.start)},
+                                               {"error", VectorToJson(odometry.error)}});
   if (robot.front == "laser") object.emplace_back("laser", LaserToJson(robot.laser));
   if (robot.ir) object.emplace_back("ir", RingToJson(*robot.ir));
   if (robot.sonar) object.emplace_back("sonar", RingToJson(*robot.sonar));
+  if (!robot.rangers.empty()) {
+    Json::Array rangers;
+    for (const RangerDef& ranger : robot.rangers) {
+      rangers.emplace_back(
+          Json::Object{{"name", ranger.name},
+                       {ranger.laser ? "laser" : "ring",
+                        ranger.laser ? LaserToJson(*ranger.laser) : RingToJson(*ranger.ring)}});
+    }
+    object.emplace_back("rangers", std::move(rangers));
+  }
   return object;
 }
 
@@ -577,6 +816,29 @@ Scenario ParseScenario(const std::string& text, const std::string& file) {
 
 Scenario LoadScenario(const std::string& file) { return ParseScenario(ReadFile(file), file); }
 
+std::vector<std::string> PlaceProblems(const Scenario& scenario) {
+  const std::vector<MeshPart> mesh_parts = PartsOfMeshes(scenario.world);
+  std::vector<std::string> problems;
+  for (std::size_t i = 0; i < scenario.robots.size(); ++i) {
+    problems.push_back(ProblemOfPlace(scenario, mesh_parts, i));
+  }
+  return problems;
+}
+
+std::vector<std::string> DevicesFor(const RobotDef& robot, const std::string& interface) {
+  if (interface == "position2d") return {"pose", "odometry"};
+  const bool lasers = interface == "laser" || interface == "ranger";
+  const bool rings = interface == "sonar" || interface == "ir" || interface == "ranger";
+  std::vector<std::string> devices;
+  if (lasers && robot.front == "laser") devices.emplace_back("hokuyo");
+  if (rings && robot.ir) devices.emplace_back("ir");
+  if (rings && robot.sonar) devices.emplace_back("sonar");
+  for (const RangerDef& ranger : robot.rangers) {
+    if (ranger.laser ? lasers : rings) devices.push_back(ranger.name);
+  }
+  return devices;
+}
+
 Json ToJson(const Scenario& scenario) {
   Json::Array up;
   for (const Box& box : scenario.world.boxes) {
@@ -586,7 +848,7 @@ Json ToJson(const Scenario& scenario) {
   for (const RobotDef& robot : scenario.robots) robots.push_back(RobotToJson(robot));
   const CanvasDef& canvas = scenario.canvas;
   const TimeDef& time = scenario.time;
-  return Json::Object{
+  Json::Object object = {
       {"world", WorldToJson(scenario.world)},
       {"obstacles", Json::Object{{"up", std::move(up)}}},
       {"robots", std::move(robots)},
@@ -600,8 +862,11 @@ Json ToJson(const Scenario& scenario) {
       {"time", Json::Object{{"frequency", time.frequency},
                             {"strategy", time.strategy},
                             {"factor", time.factor},
-                            {"read_frequency", time.read_frequency}}},
+                            {"read_frequency", time.read_frequency},
+                            {"end", time.end}}},
       {"seed", static_cast<std::int64_t>(scenario.seed)}};
+  if (scenario.player) object.emplace_back("player", PlayerSetupToJson(*scenario.player));
+  return object;
 }
 
 }  // namespace ccmorse::scene

@@ -10,6 +10,7 @@
 #include "base/image.h"
 #include "base/json.h"
 #include "base/pose.h"
+#include "scene/player/player_setup.h"
 
 namespace ccmorse::scene {
 
@@ -25,6 +26,8 @@ struct Box {
   Color color;           ///< what a viewer shows
   bool dynamic = false;  ///< can be raised and lowered
   bool raised = true;    ///< stands in the world; always true for what is not dynamic
+  bool solid = true;     ///< robots run into it
+  bool visible = true;   ///< sensors see it
 };
 
 /// A body of triangles, standing or hanging anywhere (design: Rays). Seen from both sides; robots
@@ -37,6 +40,8 @@ struct Mesh {
   Vec3 position;                              ///< m, of the mesh's origin in the world
   Vec3 rotation;                              ///< roll, pitch, yaw, rad: Rz(yaw) Ry(pitch) Rx(roll)
   Color color{160, 160, 160};                 ///< what a viewer shows
+  bool solid = true;                          ///< robots run into it
+  bool visible = true;                        ///< sensors see it
 };
 
 /// A lamp of the world (thesis 4.1.1, W07); only views use it.
@@ -52,6 +57,9 @@ struct World {
   std::string name;     ///< "syrotek"
   double size_x = 0.0;  ///< m, > 0
   double size_y = 0.0;  ///< m, > 0
+  /// Where the origin of coordinates lies that Player's clients know, m: what Stage calls (0, 0) is
+  /// the middle of most of its worlds, here it is `origin` (specs: player.md C.3).
+  Vec2 origin;
   Color floor{255, 255, 255};
   std::vector<Box> boxes;    ///< in order of id
   std::vector<Mesh> meshes;  ///< in order of id
@@ -84,6 +92,12 @@ struct LaserDef {
   int samples = 682;            ///< beams, 2..10000; first at -window/2, counter-clockwise
 };
 
+/// One range sensor of a ring, on its robot.
+struct RingMount {
+  Vec3 position;     ///< m; z from the robot's origin
+  double yaw = 0.0;  ///< rad
+};
+
 /// A ring of range sensors around a robot, infra-red or sonar: each gives the distance to the
 /// nearest thing in its cone (specs: syrotek.md A).
 struct RingDef {
@@ -91,6 +105,42 @@ struct RingDef {
   double min_range = 0.05;  ///< m, >= 0: what anything nearer returns
   double range = 5.0;       ///< m, > min_range: what a sensor returns that sees nothing
   double cone_deg = 50.0;   ///< degrees, full opening angle of the cone, (0, 170]
+  /// Where they sit, 1 to 1000 of them; empty: where the robot's type has them.
+  std::vector<RingMount> mounts;
+};
+
+/// One more scanner or ring of a robot that has more of them than a laser, ir and sonar.
+struct RangerDef {
+  std::string name;               ///< of the component, unlike all others of the robot
+  std::optional<LaserDef> laser;  ///< either this
+  std::optional<RingDef> ring;    ///< or this, with mounts
+};
+
+/// An upright prism of a robot's hull.
+struct HullPart {
+  std::vector<Vec2> outline;  ///< m, convex, counter-clockwise, in the robot's frame
+  double bottom = 0.0;        ///< m above the floor
+  double top = 0.0;           ///< m above the floor
+};
+
+/// The body of a robot of type "Custom": what a model of robots.h says of the others.
+struct BodyDef {
+  std::vector<HullPart> hull;   ///< what scanners of others see: 0 or more of 3..64 corners
+  std::vector<Vec2> footprint;  ///< m, convex, counter-clockwise, 3..16 corners: what touches
+  double mass = 10.0;           ///< kg, > 0
+  std::string drive = "diff";   ///< "diff", "omni" or "car" (specs: player.md C.3)
+  double wheelbase = 1.0;       ///< m, > 0, of a car
+  double max_speed = 1.0;       ///< m/s, > 0; commands are clamped to it
+  double max_side_speed = 0.0;  ///< m/s, >= 0; more than 0 only for "omni"
+  double max_turn_rate = 1.5;   ///< rad/s, > 0; commands are clamped to it
+};
+
+/// What a robot's odometry reports (specs: player.md C.3, localization "odom").
+struct OdometryDef {
+  Pose2 start;  ///< what it reports at the start, m and rad
+  /// Largest gain errors forward, sideways and in turning, 0..1: each run draws its own within half
+  /// of them to either side, by its seed.
+  Vec3 error;
 };
 
 /// The noise of a robot's pose sensor, with the names of MORSE's PoseNoise modifier (specs:
@@ -117,11 +167,15 @@ struct RobotDef {
   std::map<std::string, Json> drivers;  ///< driver name ("snd") -> object of its settings, as given
   /// What its front bay holds: "laser", or "sensors", the module with three more infra-red sensors
   /// and sonars in the laser's place (thesis 2.1; specs: syrotek.md A).
+  /// "none" for a Custom robot without laser.
   std::string front = "laser";
-  LaserDef laser;                ///< mounted where front is "laser"
-  std::optional<RingDef> ir;     ///< mounted where given
-  std::optional<RingDef> sonar;  ///< mounted where given
+  LaserDef laser;                  ///< mounted where front is "laser"
+  std::optional<RingDef> ir;       ///< mounted where given
+  std::optional<RingDef> sonar;    ///< mounted where given
+  std::vector<RangerDef> rangers;  ///< and these
   PoseNoiseDef pose_noise;
+  OdometryDef odometry;
+  std::optional<BodyDef> body;  ///< of a robot of type "Custom", and of no other
 };
 
 /// The grid-map canvas (thesis 4.2.1).
@@ -147,6 +201,7 @@ struct TimeDef {
   std::string strategy = "realtime";
   double factor = 1.0;           ///< simulated seconds per wall second in real time, 0.001..1000
   double read_frequency = 10.0;  ///< how often a client's Read() gets data, Hz, 0.01..frequency
+  double end = 0.0;              ///< s of simulated time after which a run stops; 0: never
 };
 
 /// Everything a run starts from. The defaults are those of an empty file: the SyRoTek arena with
@@ -158,7 +213,8 @@ struct Scenario {
   CanvasDef canvas;
   CameraDef camera;
   TimeDef time;
-  std::uint64_t seed = 1;  ///< of all noise, 0..2^63-1
+  std::uint64_t seed = 1;             ///< of all noise, 0..2^63-1
+  std::optional<PlayerSetup> player;  ///< what Player's clients are served, where it is said
 };
 
 /// Reads and checks a scenario. `file` names it in messages; names of files in it start from the
@@ -168,6 +224,14 @@ struct Scenario {
 /// floor.
 Scenario ParseScenario(const std::string& text, const std::string& file);
 Scenario LoadScenario(const std::string& file);
+
+/// What is wrong with where each of the robots stands, "robot 'r0' at (1, 2) overlaps ...": beside
+/// the floor, in a box, a mesh or one of the robots before it; "" for those with whom nothing is.
+std::vector<std::string> PlaceProblems(const Scenario& scenario);
+
+/// The names of a robot's components that have data for Player's interface: "position2d" is served
+/// by pose and odometry, "laser" by scanners, "sonar" and "ir" by rings, "ranger" by both.
+std::vector<std::string> DevicesFor(const RobotDef& robot, const std::string& interface);
 
 /// The scenario with all defaults filled in, in the same form that ParseScenario reads; the world
 /// is written out in full, so the text needs no other file.

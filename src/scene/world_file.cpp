@@ -24,6 +24,8 @@ struct Look {
   bool has_color = false;
   bool dynamic = false;
   bool raised = true;
+  bool solid = true;
+  bool visible = true;
 };
 
 Look ReadLook(ObjectReader& reader, const Look& fallback) {
@@ -35,6 +37,8 @@ Look ReadLook(ObjectReader& reader, const Look& fallback) {
   }
   look.dynamic = reader.Bool("dynamic", fallback.dynamic);
   look.raised = reader.Bool("raised", fallback.raised);
+  look.solid = reader.Bool("solid", fallback.solid);
+  look.visible = reader.Bool("visible", fallback.visible);
   if (!look.dynamic && !look.raised) {
     const char* const key = reader.Has("raised") ? "raised" : "dynamic";
     reader.Require(key).FailHere("leaves a box down that is not dynamic; make it dynamic");
@@ -77,6 +81,8 @@ Box ReadBox(const Field& field, const std::map<std::string, Look>& kinds) {
   box.color = look.color;
   box.dynamic = look.dynamic;
   box.raised = look.raised;
+  box.solid = look.solid;
+  box.visible = look.visible;
   box.pose.x = reader.Require("x").Number(kCoordinate);
   box.pose.y = reader.Require("y").Number(kCoordinate);
   box.pose.yaw = reader.Angle("yaw", 0.0);
@@ -144,6 +150,8 @@ Mesh ReadMesh(const Field& field) {
   mesh.position = reader.Vector("position", mesh.position, kLargestSize);
   mesh.rotation = reader.Vector("rotation", mesh.rotation, 20.0 * kPi);
   mesh.color = reader.ReadColor("color", mesh.color);
+  mesh.solid = reader.Bool("solid", mesh.solid);
+  mesh.visible = reader.Bool("visible", mesh.visible);
   reader.Finish();
   return mesh;
 }
@@ -168,6 +176,11 @@ std::vector<Mesh> ReadMeshes(const Field& field, const std::vector<Box>& boxes) 
   return meshes;
 }
 
+// Hardly any box or mesh says so, and a file of thousands is long enough.
+void AddUnlessTrue(const char* key, bool value, Json::Object& object) {
+  if (!value) object.emplace_back(key, false);
+}
+
 Json MeshToJson(const Mesh& mesh) {
   Json::Array vertices;
   for (const Vec3& vertex : mesh.vertices) vertices.push_back(VectorToJson(vertex));
@@ -180,6 +193,8 @@ Json MeshToJson(const Mesh& mesh) {
                                {"position", VectorToJson(mesh.position)},
                                {"rotation", VectorToJson(mesh.rotation)},
                                {"color", ColorText(mesh.color)}});
+  AddUnlessTrue("solid", mesh.solid, object);
+  AddUnlessTrue("visible", mesh.visible, object);
   return object;
 }
 
@@ -206,6 +221,14 @@ World ReadWorld(const Field& field) {
   if (sides.size() != 2) size.FailHere(fmt::format("has {} numbers, must be [x, y]", sides.size()));
   world.size_x = sides[0].Number(kSize);
   world.size_y = sides[1].Number(kSize);
+  if (reader.Has("origin")) {
+    const Field origin = reader.Require("origin");
+    const std::vector<Field> place = origin.Items();
+    if (place.size() != 2) {
+      origin.FailHere(fmt::format("has {} numbers, must be [x, y]", place.size()));
+    }
+    world.origin = {place[0].Number(kCoordinate), place[1].Number(kCoordinate)};
+  }
   world.floor = reader.ReadColor("floor", world.floor);
   std::map<std::string, Look> kinds;
   if (reader.Has("kinds")) kinds = ReadKinds(reader.Require("kinds"));
@@ -247,6 +270,8 @@ Json WorldToJson(const World& world) {
       object.emplace_back("dynamic", true);
       object.emplace_back("raised", false);
     }
+    AddUnlessTrue("solid", box.solid, object);
+    AddUnlessTrue("visible", box.visible, object);
     boxes.emplace_back(std::move(object));
   }
   Json::Array meshes;
@@ -262,6 +287,7 @@ Json WorldToJson(const World& world) {
   }
   return Json::Object{{"name", world.name},
                       {"size", Json::Array{world.size_x, world.size_y}},
+                      {"origin", Json::Array{world.origin.x, world.origin.y}},
                       {"floor", ColorText(world.floor)},
                       {"boxes", std::move(boxes)},
                       {"meshes", std::move(meshes)},

@@ -51,4 +51,14 @@ void Noise::AddGaussian(std::uint64_t tick, double deviation, double* numbers, s
   }
 }
 
+std::array<double, 3> Noise::Shares() const {
+  std::array<double, 3> shares{};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    // The last word is 0 in what AddGaussian draws.
+    const auto bits = Philox({i, 0, 0, 1}, key_);
+    shares[i] = Uniform(bits[0], bits[1]);
+  }
+  return shares;
+}
+
 }  // namespace ccmorse::sim

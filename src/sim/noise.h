@@ -22,6 +22,9 @@ class Noise {
   void AddGaussian(std::uint64_t tick, double deviation, double* numbers, std::size_t count,
                    std::uint32_t first = 0) const;
 
+  /// Three numbers of (0, 1) that a run draws once, independent of those of AddGaussian.
+  std::array<double, 3> Shares() const;
+
  private:
   std::array<std::uint32_t, 2> key_;
 };

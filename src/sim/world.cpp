@@ -36,7 +36,7 @@ bool World::LineOfSight(const Vec3& from, const Vec3& to) const {
 void World::CollectObstacles() {
   obstacles_.clear();
   for (const scene::Box& box : scene_.boxes) {
-    if (!box.raised) continue;
+    if (!box.raised || !box.solid) continue;
     const auto corners = BoxCorners(box.pose, box.size_x, box.size_y);
     obstacles_.push_back(Obstacle::Make({corners.begin(), corners.end()}, box.id));
   }
@@ -64,7 +64,7 @@ void World::SetRaised(int box_id, bool raised) {
 void World::FillBoxes(Cut& cut) const {
   cut.boxes.Clear();
   for (const scene::Box& box : scene_.boxes) {
-    if (!box.raised || box.height <= cut.height) continue;
+    if (!box.raised || !box.visible || box.height <= cut.height) continue;
     cut.boxes.Add(BoxCorners(box.pose, box.size_x, box.size_y));
   }
   cut.boxes.Finish();

@@ -90,7 +90,10 @@ int Run(int argc, char** argv) {
   app.require_subcommand(0, 1);
   ccmorse::tools::RunArguments run;
   CLI::App* const run_command = app.add_subcommand("run", "simulate a scenario and serve clients");
-  run_command->add_option("scenario", run.scenario, "a scenario's name or path (see ccmorse list)")
+  run_command
+      ->add_option("scenario", run.scenario,
+                   "a scenario's name or path (see ccmorse list), a .cfg of "
+                   "Player or a .world of Stage")
       ->required()
       ->type_name("SCENARIO");
   run_command->add_flag("--headless", run.headless,
@@ -182,6 +185,7 @@ int Run(int argc, char** argv) {
       "  ccmorse run two_robots --port 0          prints the port it took\n"
       "  ccmorse run syrotek --record run.mcap --record-data hokuyo,poses\n"
       "  ccmorse replay run.mcap --verify         does it come out the same again?\n"
+      "  ccmorse run simple.cfg                   a world of Stage with Player's drivers\n"
       "Ctrl-C ends a run and prints its report.");
 
   ccmorse::tools::ReplayArguments replay;
@@ -221,6 +225,19 @@ int Run(int argc, char** argv) {
       "  ccmorse replay run.mcap --from 40 --speed 4\n"
       "  ccmorse replay run.mcap --to 12.5 --speed max\n"
       "docs/records.md tells what a record holds and how to open it elsewhere.");
+
+  ccmorse::tools::ConvertArguments convert;
+  CLI::App* const convert_command =
+      app.add_subcommand("convert", "write a world of Stage or a .cfg of Player as a scenario");
+  convert_command->add_option("file", convert.file, "a .world or a .cfg")
+      ->required()
+      ->type_name("FILE");
+  convert_command->add_option("-o,--out", convert.out, "where to  [standard output]")
+      ->type_name("SCENE.json");
+  convert_command->footer(
+      "Example:\n"
+      "  ccmorse convert simple.world -o simple.json && ccmorse run simple.json\n"
+      "What a scenario cannot have is named with its file and line (docs/scenario.md).");
 
   CLI::App* const list_command = app.add_subcommand("list", "list the scenarios");
 
@@ -300,6 +317,7 @@ int Run(int argc, char** argv) {
       return 0;
     }
     if (replay_command->parsed()) return ccmorse::tools::Replay(replay);
+    if (convert_command->parsed()) return ccmorse::tools::Convert(convert);
     if (list_command->parsed()) return ccmorse::tools::ListScenarios();
     if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);
     if (link_command->parsed()) ccmorse::tools::ExecuteBench("link", link);

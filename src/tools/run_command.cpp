@@ -13,10 +13,12 @@
 #include <fstream>
 #include <memory>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/log.h"
+#include "scene/player/import.h"
 #include "scene/scenario.h"
 #include "servers/record/recorder.h"
 #include "servers/runner.h"
@@ -203,14 +205,18 @@ class HashPrinter : public servers::RunWatcher {
 
 int Run(const RunArguments& arguments) {
   if (arguments.quiet) SetLogLevel(LogLevel::kError);
-  scene::Scenario scenario = scene::LoadScenario(scene::FindScenario(arguments.scenario));
+  scene::ImportedScenario imported = scene::ImportScenario(scene::FindScenario(arguments.scenario));
+  for (const scene::FileNote& note : imported.notes) {
+    if (note.matters) LogWarning("{}: {}", note.at.Text(), note.text);
+  }
+  scene::Scenario scenario = std::move(imported.scenario);
   if (!std::isfinite(arguments.seconds)) throw Error("--for must be a number of seconds");
   if (arguments.seed) scenario.seed = static_cast<std::uint64_t>(*arguments.seed);
 
   servers::RunOptions options;
   options.pace = PaceFrom(arguments, scenario);
   options.factor = scenario.time.factor;
-  options.seconds = arguments.seconds;
+  options.seconds = arguments.seconds > 0.0 ? arguments.seconds : scenario.time.end;
   options.clients = arguments.clients;
   options.client_timeout = arguments.client_timeout;
   options.morse.bind = arguments.bind;
@@ -296,6 +302,25 @@ int Run(const RunArguments& arguments) {
   if (!arguments.quiet) fmt::print("EXITING SIMULATION\n");
   std::fflush(stdout);
   if (recorder && !recorder->failure().empty()) throw Error(recorder->failure());
+  return 0;
+}
+
+int Convert(const ConvertArguments& arguments) {
+  const scene::ImportedScenario imported =
+      scene::ImportScenario(scene::FindScenario(arguments.file));
+  for (const scene::FileNote& note : imported.notes) {
+    fmt::print(stderr, "{}: {}{}\n", note.at.Text(), note.matters ? "" : "(no matter) ", note.text);
+  }
+  const std::string text = scene::ToJson(imported.scenario).Dump() + "\n";
+  if (arguments.out.empty()) {
+    fmt::print("{}", text);
+    return 0;
+  }
+  PrepareFile(arguments.out);
+  std::ofstream file(arguments.out);
+  if (!(file << text) || !file.flush()) {
+    throw Error("cannot write " + arguments.out + ": " + std::strerror(errno));
+  }
   return 0;
 }
 

@@ -34,6 +34,16 @@ struct RunArguments {
 /// `ccmorse run`: returns the exit status. Throws Error for what the user can put right.
 int Run(const RunArguments& arguments);
 
+/// What `ccmorse convert` was asked for.
+struct ConvertArguments {
+  std::string file;  ///< a .world, a .cfg or a scenario
+  std::string out;   ///< JSON file; "": standard output
+};
+
+/// `ccmorse convert`: writes a world of Stage or a .cfg of Player as a scenario, and names on
+/// standard error what a scenario cannot have. Returns the exit status. Throws Error.
+int Convert(const ConvertArguments& arguments);
+
 /// `ccmorse list`.
 int ListScenarios();
 

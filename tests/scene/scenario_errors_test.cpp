@@ -154,9 +154,34 @@ TEST(ScenarioErrors, Obstacles) {
                   "this world has none"));
 }
 
+TEST(ScenarioErrors, CustomRobots) {
+  const std::string square = "[[0.1, -0.1], [0.1, 0.1], [-0.1, 0.1], [-0.1, -0.1]]";
+  const auto error = [&](const std::string& body, const std::string& more = "") {
+    return ErrorInRobot(R"("type": "Custom", "body": {)" + body + "}" + more);
+  };
+  EXPECT_TRUE(Has(ErrorInRobot(R"("type": "Custom")"), "robots[0] lacks 'body'"));
+  EXPECT_TRUE(Has(ErrorInRobot(R"("body": {})"), "unknown key 'body'"));
+  EXPECT_TRUE(Has(error(""), "robots[0].body lacks 'footprint'"));
+  EXPECT_TRUE(Has(error(R"("footprint": [[0, 0], [1, 0]])"), "has 2 corners, must have 3..16"));
+  EXPECT_TRUE(Has(error(R"("footprint": [[0, 0], [0, 1], [1, 0]])"), "must turn left"));
+  EXPECT_TRUE(Has(error(R"("footprint": )" + square + R"(, "max_side_speed": 1)"),
+                  "is for robots whose drive is \"omni\""));
+  EXPECT_TRUE(Has(error(R"("footprint": )" + square, R"(, "sonar": {"range": 2})"),
+                  "robots[0].sonar lacks 'poses'"));
+  EXPECT_TRUE(Has(error(R"("footprint": )" + square, R"(, "proxies": {"laser": {"0": "hokuyo"}})"),
+                  "this robot has no 'laser'"));
+  EXPECT_TRUE(
+      Has(error(R"("footprint": )" + square, R"(, "rangers": [{"name": "pose", "laser": {}}])"),
+          "is 'pose', as is another component of the robot"));
+  EXPECT_TRUE(Has(error(R"("footprint": )" + square, R"(, "rangers": [{"name": "a"}])"),
+                  "must have either a 'laser' or a 'ring'"));
+  EXPECT_TRUE(Has(ErrorInRobot(R"("odometry": {"error": [0, 0, -1]})"), "must be 0..1"));
+}
+
 TEST(ScenarioErrors, UnknownNames) {
   EXPECT_EQ(ErrorInRobot(R"("type": "S2R")"),
-            "scene.json:2: robots[0].type is 'S2R', must be one of 'BoxRobot' and 'S1R'; did you "
+            "scene.json:2: robots[0].type is 'S2R', must be one of 'BoxRobot', 'Custom' and 'S1R'; "
+            "did you "
             "mean 'S1R'?");
   EXPECT_EQ(ErrorInRobot(R"("proxies": {"position2d": {"0": "pos"}})"),
             "scene.json:2: robots[0].proxies.position2d.0 is 'pos', must be one of 'pose' and "

@@ -61,10 +61,9 @@ export interface Laser {
 export interface Ring {
   robot: number;
   name: string;
-  height: number;
   range: number; // m
   cone: number; // rad, full
-  poses: [number, number, number][];
+  poses: [number, number, number, number][]; // x, y, height above the floor, m; yaw, rad
 }
 
 export type CanvasMode = "ground" | "minimap" | "fullscreen";

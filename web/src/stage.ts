@@ -372,11 +372,11 @@ export class Stage {
     }
     scene.rings.forEach((ring, number) => {
       const robot = this.robots[ring.robot];
-      ring.poses.forEach(([x, y, yaw], index) => {
+      ring.poses.forEach(([x, y, z, yaw], index) => {
         const bearings = new Float32Array(9);
         bearings.forEach((_, i) => (bearings[i] = ring.cone * (i / 8 - 0.5)));
         const fan = new Fan(bearings, ring.range, RING_COLOR);
-        fan.mesh.position.set(x, y, ring.height);
+        fan.mesh.position.set(x, y, z);
         fan.mesh.rotation.z = yaw;
         robot?.group.add(fan.mesh);
         robot?.cones.push({ fan, sensor: scene.lasers.length + number, index });

@@ -129,12 +129,13 @@ std::string ViewModel::Scene() const {
   Json::Array rings;
   for (const sim::RangeRing* ring : rings_) {
     Json::Array poses;
-    for (const Pose2& pose : ring->poses()) {
-      poses.push_back(Json::Array{pose.x, pose.y, pose.yaw});
+    const double origin = ring->robot().model().origin_height;
+    for (const scene::RingMount& mount : ring->mounts()) {
+      const Vec3& at = mount.position;
+      poses.push_back(Json::Array{at.x, at.y, origin + at.z, mount.yaw});
     }
     rings.push_back(Json::Object{{"robot", ring->robot().index()},
                                  {"name", ring->full_name()},
-                                 {"height", ring->robot().model().ring_height},
                                  {"range", ring->range()},
                                  {"cone", ring->cone()},
                                  {"poses", std::move(poses)}});

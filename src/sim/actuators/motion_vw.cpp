@@ -1,11 +1,18 @@
 #include "sim/actuators/motion_vw.h"
 
+#include <utility>
+#include <vector>
+
 namespace ccmorse::sim {
 
 MotionVW::MotionVW(Robot& robot, const std::string& name)
     : Actuator(robot, name, "MotionVW", 60.0) {
-  AddService({"set_speed", {{"v"}, {"w"}}, [this](Arguments arguments) {
-                SetSpeed({NumberArgument(arguments, 0, "v"), NumberArgument(arguments, 1, "w")});
+  std::vector<ServiceParameter> speeds = {{"v"}, {"w"}};
+  const bool omni = robot.model().max_side_speed > 0.0;
+  if (omni) speeds.push_back({"side", true});
+  AddService({"set_speed", std::move(speeds), [this, omni](Arguments arguments) {
+                SetSpeed({NumberArgument(arguments, 0, "v"), NumberArgument(arguments, 1, "w"),
+                          omni ? NumberArgument(arguments, 2, "side", 0.0) : 0.0});
                 return Json();
               }});
   AddService({"stop", {}, [this](Arguments) {
@@ -21,7 +28,9 @@ void MotionVW::SetSpeed(const Twist& speed) {
 }
 
 void MotionVW::Receive(const Json& message) {
-  SetSpeed({NumberMember(message, "v"), NumberMember(message, "w")});
+  const bool omni = robot().model().max_side_speed > 0.0 && message.Find("side") != nullptr;
+  SetSpeed({NumberMember(message, "v"), NumberMember(message, "w"),
+            omni ? NumberMember(message, "side") : 0.0});
 }
 
 void MotionVW::Act(const Instant& now) {

@@ -7,7 +7,8 @@ namespace ccmorse::sim {
 
 /// Drives by forward speed and turn rate: MORSE's MotionVW (specs: morse.md B.3). Data and stream:
 /// v in m/s, w in rad/s; a command holds until the next. Services set_speed(v, w) and stop().
-/// Speeds beyond the robot's limits are clamped; NaN and infinity are refused.
+/// Speeds beyond the robot's limits are clamped; NaN and infinity are refused. Where the robot is
+/// omnidirectional, both take a third number, side, m/s to the left, 0 where it is left out.
 class MotionVW : public Actuator {
  public:
   MotionVW(Robot& robot, const std::string& name);

@@ -14,6 +14,11 @@ constexpr double kListed = 0.25;   // m that a robot may move before its lists a
 constexpr double kCleared = 0.01;  // m that it moves before its room is measured anew
 constexpr double kRoom = 1e-9;     // m, so that rounding is no matter
 
+// m/s, of its origin in any direction: no less than it can be.
+double Fastest(const Robot& robot) {
+  return robot.model().max_speed + robot.model().max_side_speed;
+}
+
 double Distance(Vec2 a, Vec2 b) { return std::sqrt(Dot(b - a, b - a)); }
 
 }  // namespace
@@ -21,7 +26,7 @@ double Distance(Vec2 a, Vec2 b) { return std::sqrt(Dot(b - a, b - a)); }
 FleetMotion::FleetMotion(const World& world, const std::vector<std::unique_ptr<Robot>>& robots,
                          std::size_t shared_from)
     : world_(world), robots_(robots), shared_from_(shared_from), around_(robots.size()) {
-  for (const auto& robot : robots) fastest_ = std::max(fastest_, robot->model().max_speed);
+  for (const auto& robot : robots) fastest_ = std::max(fastest_, Fastest(*robot));
   // Room enough that ticks hardly ever allocate.
   for (Around& around : around_) around.boxes.reserve(16);
   alone_.reserve(robots.size());
@@ -96,7 +101,7 @@ void FleetMotion::FindNeighbours(double step) {
 void FleetMotion::Move(std::size_t index, const Instant& now,
                        std::vector<const Obstacle*>& in_the_way) {
   Robot& robot = *robots_[index];
-  if (!IsClear(index, robot.model().max_speed * now.step)) {
+  if (!IsClear(index, Fastest(robot) * now.step)) {
     const Around& around = around_[index];
     in_the_way.insert(in_the_way.end(), around.boxes.begin(), around.boxes.end());
   }

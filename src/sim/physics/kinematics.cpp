@@ -24,15 +24,26 @@ double RadiusAround(std::span<const Vec2> outline, Vec2 centre) {
   return radius;
 }
 
+// Of the origin, m/s. A square root would not give |v| to the last bit.
+double Speed(double v, double side) {
+  return side == 0.0 ? std::fabs(v) : std::sqrt(v * v + side * side);
+}
+
 }  // namespace
 
-Pose2 DriveArc(const Pose2& start, double v, double w, double seconds) {
+Pose2 DriveArc(const Pose2& start, double v, double w, double seconds, double side) {
   // The chord of the arc: length v t sin(h)/h in the direction of the middle heading, h = w t / 2.
   const double half = 0.5 * w * seconds;
   const double sinc = std::fabs(half) < 1e-4 ? 1.0 - half * half / 6.0 : SinCos(half).sin / half;
   const auto [s, c] = SinCos(start.yaw + half);
   const double chord = v * seconds * sinc;
-  return {start.x + chord * c, start.y + chord * s, NormalizeAngle(start.yaw + w * seconds)};
+  Pose2 end{start.x + chord * c, start.y + chord * s, NormalizeAngle(start.yaw + w * seconds)};
+  if (side != 0.0) {
+    const double across = side * seconds * sinc;
+    end.x -= across * s;
+    end.y += across * c;
+  }
+  return end;
 }
 
 Obstacle Obstacle::Make(std::vector<Vec2> outline, int box_id) {
@@ -83,11 +94,13 @@ bool Collides(const Footprint& footprint, const Pose2& pose,
 }
 
 MotionResult DriveUntilContact(const Footprint& footprint, const Pose2& start, double v, double w,
-                               double seconds, std::span<const Obstacle* const> obstacles) {
-  if (obstacles.empty()) return {DriveArc(start, v, w, seconds), false, std::fabs(v) * seconds};
-  const double path = (std::fabs(v) + std::fabs(w) * footprint.radius) * seconds;
+                               double seconds, std::span<const Obstacle* const> obstacles,
+                               double side) {
+  const double speed = Speed(v, side);
+  if (obstacles.empty()) return {DriveArc(start, v, w, seconds, side), false, speed * seconds};
+  const double path = (speed + std::fabs(w) * footprint.radius) * seconds;
   const int steps = std::max(1, static_cast<int>(std::ceil(path / kCheckEvery)));
-  const auto at = [&](double fraction) { return DriveArc(start, v, w, fraction * seconds); };
+  const auto at = [&](double fraction) { return DriveArc(start, v, w, fraction * seconds, side); };
   double free = 0.0;
   for (int step = 1; step <= steps; ++step) {
     const double next = step == steps ? 1.0 : static_cast<double>(step) / steps;
@@ -100,9 +113,9 @@ MotionResult DriveUntilContact(const Footprint& footprint, const Pose2& start, d
       const double middle = 0.5 * (free + hit);
       (Collides(footprint, at(middle), obstacles) ? hit : free) = middle;
     }
-    return {free > 0.0 ? at(free) : start, true, std::fabs(v) * seconds * free};
+    return {free > 0.0 ? at(free) : start, true, speed * seconds * free};
   }
-  return {at(1.0), false, std::fabs(v) * seconds};
+  return {at(1.0), false, speed * seconds};
 }
 
 }  // namespace ccmorse::sim

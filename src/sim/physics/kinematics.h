@@ -8,8 +8,9 @@
 namespace ccmorse::sim {
 
 /// Where a unicycle at `start` is after `seconds` at constant speed v (m/s, along its x) and turn
-/// rate w (rad/s): the exact arc, not an Euler step. Yaw comes back in (-pi, pi].
-Pose2 DriveArc(const Pose2& start, double v, double w, double seconds);
+/// rate w (rad/s): the exact arc, not an Euler step. Yaw comes back in (-pi, pi]. An
+/// omnidirectional robot has a speed to its left besides, `side` (m/s).
+Pose2 DriveArc(const Pose2& start, double v, double w, double seconds, double side = 0.0);
 
 /// A convex thing that stands in the way, with a circle around it to rule it out quickly.
 struct Obstacle {
@@ -42,9 +43,11 @@ struct MotionResult {
 
 /// Drives the arc as far as nothing is touched: the footprint never overlaps an obstacle, and a
 /// blocked robot stands less than 1e-5 m of path before contact. Obstacles are checked every 5 mm
-/// of the fastest point's path, so nothing of 1 cm or more is jumped over at any speed.
+/// of the fastest point's path, so nothing of 1 cm or more is jumped over at any speed. `side`: as
+/// for DriveArc.
 MotionResult DriveUntilContact(const Footprint& footprint, const Pose2& start, double v, double w,
-                               double seconds, std::span<const Obstacle* const> obstacles);
+                               double seconds, std::span<const Obstacle* const> obstacles,
+                               double side = 0.0);
 
 /// Does the footprint at `pose` overlap any of the obstacles?
 bool Collides(const Footprint& footprint, const Pose2& pose,

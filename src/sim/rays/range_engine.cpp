@@ -22,7 +22,7 @@ Rotation Combined(const Rotation& outer, const Rotation& inner) {
 TriangleSet BoxTriangles(const scene::World& world) {
   TriangleSet set;
   for (const scene::Box& box : world.boxes) {
-    if (!box.raised) continue;
+    if (!box.raised || !box.visible) continue;
     set.AddPrism(BoxCorners(box.pose, box.size_x, box.size_y), 0.0, box.height,
                  {HitKind::kBox, box.id, 0});
   }
@@ -142,7 +142,7 @@ void RangeEngine::Identify(BeamFan& fan, const Pose2& robot, double height, int 
   fan.planar().Scan(pose, world_.BoxesAt(height), world_.RobotsAt(height), self, ranges);
   std::vector<Candidate> candidates;
   for (const scene::Box& box : world_.scene().boxes) {
-    if (!box.raised || box.height <= height) continue;
+    if (!box.raised || !box.visible || box.height <= height) continue;
     const auto corners = BoxCorners(box.pose, box.size_x, box.size_y);
     candidates.push_back({{corners.begin(), corners.end()}, {HitKind::kBox, box.id, 0}});
   }
@@ -211,13 +211,17 @@ const EmbreeScene& RangeEngine::Triangles() const {
 void RangeEngine::Build() const {
   const scene::World& world = world_.scene();
   std::vector<TriangleSet> fixed = {BoxTriangles(world)};
-  for (const scene::Mesh& mesh : world.meshes) fixed.push_back(MeshTriangles(mesh));
+  for (const scene::Mesh& mesh : world.meshes) {
+    if (mesh.visible) fixed.push_back(MeshTriangles(mesh));
+  }
   std::vector<TriangleSet> models;
   std::map<std::string, int> model_of_type;
   std::vector<int> model_of;
   for (const Robot* robot : world_.robots()) {
-    const auto [model, is_new] =
-        model_of_type.emplace(robot->model().type, static_cast<int>(models.size()));
+    // A robot with a body of its own shares it with no other.
+    const scene::RobotDef& def = robot->def();
+    const std::string key = def.body ? "body of " + def.name : def.type;
+    const auto [model, is_new] = model_of_type.emplace(key, static_cast<int>(models.size()));
     if (is_new) models.push_back(HullTriangles(robot->model()));
     model_of.push_back(model->second);
   }

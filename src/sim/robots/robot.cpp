@@ -9,7 +9,7 @@ namespace ccmorse::sim {
 
 Robot::Robot(const scene::RobotDef& def, int index)
     : def_(def),
-      model_(scene::FindRobotModel(def.type)),
+      model_(scene::ModelOf(def)),
       footprint_(Footprint::Make(model_.footprint)),
       index_(index) {
   outline_.outline.reserve(footprint_.outline.size());
@@ -29,7 +29,8 @@ void Robot::Register(std::unique_ptr<Actuator> actuator) {
 
 void Robot::Command(const Twist& twist, const Actuator* by) {
   command_ = {std::clamp(twist.v, -model_.max_speed, model_.max_speed),
-              std::clamp(twist.w, -model_.max_turn_rate, model_.max_turn_rate)};
+              std::clamp(twist.w, -model_.max_turn_rate, model_.max_turn_rate),
+              std::clamp(twist.side, -model_.max_side_speed, model_.max_side_speed)};
   driver_ = by;
 }
 
@@ -37,9 +38,9 @@ void Robot::Move(const Instant& now, std::span<const Obstacle* const> obstacles)
   const bool touched_before = stalled_;
   twist_ = command_;
   stalled_ = false;
-  if (command_.v != 0.0 || command_.w != 0.0) {
-    const MotionResult moved =
-        DriveUntilContact(footprint_, pose_, command_.v, command_.w, now.step, obstacles);
+  if (command_.v != 0.0 || command_.w != 0.0 || command_.side != 0.0) {
+    const MotionResult moved = DriveUntilContact(footprint_, pose_, command_.v, command_.w,
+                                                 now.step, obstacles, command_.side);
     pose_ = moved.pose;
     tally_.distance += moved.driven;
     stalled_ = moved.blocked;
@@ -81,7 +82,7 @@ void Robot::Reset() {
 }
 
 void Equip(Robot& robot, const scene::Scenario& scenario, const World& world, Canvas& canvas) {
-  // Both types there are carry the S1R's devices; scene::FindRobotModel has refused all others.
+  // All types carry the S1R's devices, as far as their scenario mounts them.
   EquipS1R(robot, scenario, world, canvas);
 }
 

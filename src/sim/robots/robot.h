@@ -17,8 +17,9 @@ class World;
 
 /// Speeds in a robot's own frame.
 struct Twist {
-  double v = 0.0;  ///< m/s, forward
-  double w = 0.0;  ///< rad/s, counter-clockwise
+  double v = 0.0;     ///< m/s, forward
+  double w = 0.0;     ///< rad/s, counter-clockwise
+  double side = 0.0;  ///< m/s, to the left; only omnidirectional robots have any
 };
 
 /// What a run's report says of one robot.
@@ -83,7 +84,7 @@ class Robot {
   void Register(std::unique_ptr<Actuator> actuator);
 
   scene::RobotDef def_;
-  const scene::RobotModel& model_;
+  scene::RobotModel model_;
   Footprint footprint_;
   int index_;
   Pose2 pose_;

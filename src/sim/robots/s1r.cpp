@@ -16,13 +16,22 @@ namespace ccmorse::sim {
 
 void EquipS1R(Robot& robot, const scene::Scenario& scenario, const World& world, Canvas& canvas) {
   robot.Add(std::make_unique<PoseSensor>(robot, "pose", scenario.seed));
-  robot.Add(std::make_unique<OdometrySensor>(robot, "odometry"));
+  robot.Add(std::make_unique<OdometrySensor>(robot, "odometry", scenario.seed));
   const scene::RobotDef& def = robot.def();
   if (def.front == "laser") {
     robot.Add(std::make_unique<LaserScanner>(robot, "hokuyo", def.laser, world, scenario.seed));
   }
   if (def.ir) robot.Add(MakeInfraredRing(robot, world));
   if (def.sonar) robot.Add(MakeSonarRing(robot, world));
+  for (const scene::RangerDef& ranger : def.rangers) {
+    if (ranger.laser) {
+      robot.Add(
+          std::make_unique<LaserScanner>(robot, ranger.name, *ranger.laser, world, scenario.seed));
+    } else {
+      robot.Add(std::make_unique<RangeRing>(robot, ranger.name, "Sonar", *ranger.ring,
+                                            ranger.ring->mounts, world));
+    }
+  }
   robot.Add(std::make_unique<RobotProperties>(robot, "properties", scenario));
   robot.Add(std::make_unique<MotionVW>(robot, "motion"));
   robot.Add(std::make_unique<Waypoint>(robot, "waypoint"));

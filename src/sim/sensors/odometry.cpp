@@ -1,17 +1,60 @@
 #include "sim/sensors/odometry.h"
 
+#include <array>
+
+#include "base/polygon.h"
+#include "sim/noise.h"
+
 namespace ccmorse::sim {
 
-OdometrySensor::OdometrySensor(Robot& robot, const std::string& name)
+namespace {
+
+// The place that the numbers of a pose count from, so that `pose` is `reported` there.
+Pose2 FrameOf(const Pose2& pose, const Pose2& reported) {
+  if (reported.x == 0.0 && reported.y == 0.0 && reported.yaw == 0.0) return pose;
+  const double yaw = NormalizeAngle(pose.yaw - reported.yaw);
+  const Vec2 origin = Transform({pose.x, pose.y, yaw}, {-reported.x, -reported.y});
+  return {origin.x, origin.y, yaw};
+}
+
+}  // namespace
+
+OdometrySensor::OdometrySensor(Robot& robot, const std::string& name, std::uint64_t seed)
     : Sensor(robot, name, "IntegratedOdometry", 60.0),
-      start_(robot.pose()),
-      start_angle_(SinCos(start_.yaw)) {}
+      exact_(true),
+      gain_{1.0, 1.0, 1.0},
+      last_(robot.pose()),
+      start_(FrameOf(robot.pose(), robot.def().odometry.start)),
+      start_angle_(SinCos(start_.yaw)),
+      moved_(robot.def().odometry.start) {
+  const Vec3& error = robot.def().odometry.error;
+  exact_ = error.x == 0.0 && error.y == 0.0 && error.z == 0.0;
+  const std::array<double, 3> share = Noise(seed, full_name()).Shares();
+  gain_.x += error.x * (share[0] - 0.5);
+  gain_.y += error.y * (share[1] - 0.5);
+  gain_.z += error.z * (share[2] - 0.5);
+}
+
+void OdometrySensor::DeadReckon() {
+  const Pose2& pose = robot().pose();
+  const auto [s, c] = SinCos(last_.yaw);
+  const Vec2 d{pose.x - last_.x, pose.y - last_.y};
+  const Vec2 counted{gain_.x * (c * d.x + s * d.y), gain_.y * (c * d.y - s * d.x)};
+  const Vec2 at = Transform(moved_, counted);
+  const double turned = gain_.z * NormalizeAngle(pose.yaw - last_.yaw);
+  moved_ = {at.x, at.y, NormalizeAngle(moved_.yaw + turned)};
+  last_ = pose;
+}
 
 void OdometrySensor::Sample(const Instant& now) {
-  const Pose2& pose = robot().pose();
-  const auto [s, c] = start_angle_;
-  const Vec2 d{pose.x - start_.x, pose.y - start_.y};
-  moved_ = {c * d.x + s * d.y, c * d.y - s * d.x, NormalizeAngle(pose.yaw - start_.yaw)};
+  if (exact_) {
+    const Pose2& pose = robot().pose();
+    const auto [s, c] = start_angle_;
+    const Vec2 d{pose.x - start_.x, pose.y - start_.y};
+    moved_ = {c * d.x + s * d.y, c * d.y - s * d.x, NormalizeAngle(pose.yaw - start_.yaw)};
+  } else {
+    DeadReckon();
+  }
   twist_ = robot().twist();
   stalled_ = robot().stalled();
   DataChanged(now.time);
@@ -19,9 +62,10 @@ void OdometrySensor::Sample(const Instant& now) {
 
 void OdometrySensor::Reset() {
   Sensor::Reset();
-  start_ = robot().pose();
+  last_ = robot().pose();
+  start_ = FrameOf(last_, robot().def().odometry.start);
   start_angle_ = SinCos(start_.yaw);
-  moved_ = {};
+  moved_ = robot().def().odometry.start;
   twist_ = {};
   stalled_ = false;
 }
@@ -37,7 +81,7 @@ void OdometrySensor::AddToHash(StateHash& hash) const {
 
 void OdometrySensor::AppendNumbers(std::vector<double>& out) const {
   out.insert(out.end(), {moved_.x, moved_.y, 0.0, 0.0, 0.0, moved_.yaw});
-  out.insert(out.end(), {twist_.v, 0.0, 0.0, 0.0, 0.0, twist_.w, stalled_ ? 1.0 : 0.0});
+  out.insert(out.end(), {twist_.v, twist_.side, 0.0, 0.0, 0.0, twist_.w, stalled_ ? 1.0 : 0.0});
 }
 
 void OdometrySensor::AppendFields(std::string& out) const {
@@ -48,7 +92,7 @@ void OdometrySensor::AppendFields(std::string& out) const {
   AppendField(out, "pitch", 0.0);
   AppendField(out, "roll", 0.0);
   AppendField(out, "vx", twist_.v);
-  AppendField(out, "vy", 0.0);
+  AppendField(out, "vy", twist_.side);
   AppendField(out, "vz", 0.0);
   AppendField(out, "wz", twist_.w);
   AppendField(out, "wy", 0.0);

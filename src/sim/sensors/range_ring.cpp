@@ -11,24 +11,31 @@
 namespace ccmorse::sim {
 namespace {
 
-// Those of the robot's body, then those of the module in its front bay.
-std::vector<Pose2> Mounts(const Robot& robot, std::vector<Pose2> poses) {
-  const std::vector<Pose2>& module = robot.model().module_mounts;
+// What the scenario says; else those of the robot's body, then those of the module in its front
+// bay.
+std::vector<scene::RingMount> Mounts(const Robot& robot, const scene::RingDef& def,
+                                     std::vector<Pose2> poses) {
+  if (!def.mounts.empty()) return def.mounts;
+  const scene::RobotModel& model = robot.model();
+  const std::vector<Pose2>& module = model.module_mounts;
   if (robot.def().front == "sensors") poses.insert(poses.end(), module.begin(), module.end());
-  return poses;
+  std::vector<scene::RingMount> mounts;
+  for (const Pose2& pose : poses) {
+    mounts.push_back({{pose.x, pose.y, model.ring_height - model.origin_height}, pose.yaw});
+  }
+  return mounts;
 }
 
 }  // namespace
 
 RangeRing::RangeRing(Robot& robot, const std::string& name, std::string type,
-                     const scene::RingDef& def, std::vector<Pose2> poses, double height,
+                     const scene::RingDef& def, std::vector<scene::RingMount> mounts,
                      const World& world)
     : Sensor(robot, name, std::move(type), def.frequency),
       def_(def),
-      poses_(std::move(poses)),
-      height_(height),
+      mounts_(std::move(mounts)),
       world_(world),
-      ranges_(poses_.size(), def.range) {
+      ranges_(mounts_.size(), def.range) {
   const auto [s, c] = SinCos(Radians(def.cone_deg) / 2.0);
   cone_.sine = s;
   cone_.cosine = c;
@@ -36,11 +43,12 @@ RangeRing::RangeRing(Robot& robot, const std::string& name, std::string type,
 
 void RangeRing::Sample(const Instant& now) {
   const Pose2& base = robot().pose();
-  for (std::size_t i = 0; i < poses_.size(); ++i) {
-    const Vec2 at = Transform(base, {poses_[i].x, poses_[i].y});
-    const auto [s, c] = SinCos(base.yaw + poses_[i].yaw);
+  for (std::size_t i = 0; i < mounts_.size(); ++i) {
+    const Vec3& mount = mounts_[i].position;
+    const Vec2 at = Transform(base, {mount.x, mount.y});
+    const auto [s, c] = SinCos(base.yaw + mounts_[i].yaw);
     Cone cone = cone_;
-    cone.apex = {at.x, at.y, height_};
+    cone.apex = {at.x, at.y, robot().model().origin_height + mount.z};
     cone.axis = {c, s, 0.0};
     ranges_[i] =
         std::max(def_.min_range, world_.rays().Nearest(cone, def_.range, robot().index()).distance);
@@ -61,9 +69,9 @@ void RangeRing::AddToHash(StateHash& hash) const {
 
 Json RangeRing::Configurations() const {
   Json::Array poses;
-  for (const Pose2& pose : poses_) {
-    poses.emplace_back(
-        Json::Array{pose.x, pose.y, height_ - robot().model().origin_height, pose.yaw});
+  for (const scene::RingMount& mount : mounts_) {
+    const Vec3& at = mount.position;
+    poses.emplace_back(Json::Array{at.x, at.y, at.z, mount.yaw});
   }
   return Json(Json::Object{{"min_range", def_.min_range},
                            {"range", def_.range},
@@ -83,14 +91,16 @@ void RangeRing::AppendFields(std::string& out) const {
 
 std::unique_ptr<RangeRing> MakeInfraredRing(Robot& robot, const World& world) {
   const scene::RobotModel& model = robot.model();
-  return std::make_unique<RangeRing>(robot, "ir", "Infrared", *robot.def().ir,
-                                     Mounts(robot, model.ir_mounts), model.ring_height, world);
+  const scene::RingDef& def = *robot.def().ir;
+  return std::make_unique<RangeRing>(robot, "ir", "Infrared", def,
+                                     Mounts(robot, def, model.ir_mounts), world);
 }
 
 std::unique_ptr<RangeRing> MakeSonarRing(Robot& robot, const World& world) {
   const scene::RobotModel& model = robot.model();
-  return std::make_unique<RangeRing>(robot, "sonar", "Sonar", *robot.def().sonar,
-                                     Mounts(robot, model.sonar_mounts), model.ring_height, world);
+  const scene::RingDef& def = *robot.def().sonar;
+  return std::make_unique<RangeRing>(robot, "sonar", "Sonar", def,
+                                     Mounts(robot, def, model.sonar_mounts), world);
 }
 
 }  // namespace ccmorse::sim

@@ -20,27 +20,26 @@ class World;
 /// small to be seen.
 class RangeRing : public Sensor {
  public:
-  /// `poses` on the robot, m and rad; `height` of all, m above the floor.
+  /// `mounts` on the robot, at least one; those of `def` do not count.
   RangeRing(Robot& robot, const std::string& name, std::string type, const scene::RingDef& def,
-            std::vector<Pose2> poses, double height, const World& world);
+            std::vector<scene::RingMount> mounts, const World& world);
   void Sample(const Instant& now) override;
   void AddToHash(StateHash& hash) const override;
   void Reset() override;
   void Prepare() override;
-  int Work() const override { return 100 * static_cast<int>(poses_.size()); }
+  int Work() const override { return 100 * static_cast<int>(mounts_.size()); }
   Json Configurations() const override;
 
   const std::vector<double>& ranges() const { return ranges_; }  ///< m, one a sensor
-  const std::vector<Pose2>& poses() const { return poses_; }
-  double range() const { return def_.range; }            ///< m, what a sensor without a hit says
+  const std::vector<scene::RingMount>& mounts() const { return mounts_; }
+  double range() const { return def_.range; }             ///< m, what a sensor without a hit says
   double cone() const { return Radians(def_.cone_deg); }  ///< rad, full opening angle
 
  private:
   void AppendFields(std::string& out) const override;
 
   scene::RingDef def_;
-  std::vector<Pose2> poses_;
-  double height_;
+  std::vector<scene::RingMount> mounts_;
   const World& world_;
   Cone cone_;  // opening; where it points is the sensor's
   std::vector<double> ranges_;
