@@ -139,6 +139,15 @@ int Run(int argc, char** argv) {
                    "first port of the components' streams; 0 takes any free ones  [60000]")
       ->check(CLI::Range(0, 65535))
       ->type_name("N");
+  CLI::Option* const player_port =
+      run_command
+          ->add_option("--player-port", run.player_port,
+                       "of Player's protocol for the first robot, the next one's is one higher; 0 "
+                       "takes any free ones  [6665; without Player where that is taken]")
+          ->check(CLI::Range(0, 65535))
+          ->type_name("N");
+  run_command->add_flag("--no-player", run.no_player, "do not serve Player's protocol")
+      ->excludes(player_port);
   run_command->add_option("--bind", run.bind, "address to listen on  [127.0.0.1]")
       ->type_name("ADDRESS");
   run_command->add_option("--out", run.out, "folder for pictures that clients save  [.]")

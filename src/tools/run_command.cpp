@@ -138,6 +138,33 @@ void WritePicture(const sim::Simulation& simulation, const std::string& path) {
   WritePng(RenderTopView(view), path);
 }
 
+std::optional<servers::player::PlayerServerOptions> PlayerOptions(const RunArguments& arguments) {
+  if (arguments.no_player) return std::nullopt;
+  servers::player::PlayerServerOptions options;
+  options.bind = arguments.bind;
+  if (arguments.player_port) {
+    options.port = *arguments.player_port;
+  } else if (arguments.port == 0) {
+    options.port = 0;
+  } else {
+    options.may_be_taken = true;
+  }
+  return options;
+}
+
+void PrintPlayerPorts(const std::string& bind, const servers::player::PlayerServer* server) {
+  if (server == nullptr) return;
+  const auto ports = server->ports();
+  constexpr std::size_t kShown = 16;
+  for (std::size_t i = 0; i < ports.size() && i < kShown; ++i) {
+    fmt::print("Player on {} port {} (robot {})\n", bind, ports[i].port, ports[i].robot);
+  }
+  if (ports.size() > kShown) {
+    fmt::print("... and on ports up to {} for the {} others\n", ports.back().port,
+               ports.size() - kShown);
+  }
+}
+
 // Prints the state hash every so many ticks.
 class HashPrinter : public servers::RunWatcher {
  public:
@@ -172,6 +199,7 @@ int Run(const RunArguments& arguments) {
   options.morse.bind = arguments.bind;
   options.morse.port = arguments.port;
   options.morse.first_stream_port = arguments.stream_port;
+  options.player = PlayerOptions(arguments);
   RequireDifferent({arguments.picture, arguments.report, arguments.record});
   PrepareFile(arguments.picture);
   PrepareFile(arguments.report);
@@ -216,6 +244,7 @@ int Run(const RunArguments& arguments) {
     fmt::print("MORSE services on {} port {}\n", arguments.bind, runner.morse().port());
     const auto [first_stream, last_stream] = runner.morse().stream_ports();
     if (first_stream != 0) fmt::print("Streams on ports {} to {}\n", first_stream, last_stream);
+    PrintPlayerPorts(arguments.bind, runner.player());
     if (options.pace == servers::Pace::kLockstep) {
       fmt::print("Lock-step: time starts when {}\n",
                  options.clients == 1 ? "a client reads"
@@ -225,7 +254,7 @@ int Run(const RunArguments& arguments) {
     std::fflush(stdout);
   }
   const servers::RunSummary summary = runner.Run();
-  runner.morse().Close();  // the ports are free while the picture is made
+  runner.CloseServers();  // the ports are free while the picture is made
 
   if (!arguments.quiet) PrintReport(simulation, runner.morse(), summary);
   if (!arguments.report.empty()) {

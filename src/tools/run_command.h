@@ -18,6 +18,10 @@ struct RunArguments {
   double client_timeout = 10.0;      ///< lock-step: s of wall time a client may hang; 0: for ever
   int port = 4000;                   ///< 0: any free one
   int stream_port = 60000;           ///< 0: any free ones
+  /// Player's port of the first robot, 0: any free ones. Where not given, Player's own, and the run
+  /// goes on without it if that is taken; with `port` 0 any free ones.
+  std::optional<int> player_port;
+  bool no_player = false;  ///< leaves Player's protocol out
   std::string bind = "127.0.0.1";
   std::string out = ".";                    ///< folder for pictures that clients save
   std::string picture;                      ///< PNG of the arena from above at the end; "": none
