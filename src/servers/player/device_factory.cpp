@@ -3,8 +3,15 @@
 #include <array>
 
 #include "base/error.h"
+#include "servers/player/devices/body_sensors.h"
+#include "servers/player/devices/graphics2d.h"
+#include "servers/player/devices/map_device.h"
+#include "servers/player/devices/messages.h"
 #include "servers/player/devices/position2d.h"
+#include "servers/player/devices/ring.h"
 #include "servers/player/devices/scanner.h"
+#include "servers/player/devices/sight.h"
+#include "servers/player/devices/simulation_device.h"
 
 namespace ccmorse::servers::player {
 namespace {
@@ -22,6 +29,8 @@ double Frequency(const DeviceContext& context, const DeviceDef& def) {
   return def.frequency > 0.0 ? def.frequency : context.simulation.scenario().time.read_frequency;
 }
 
+std::uint16_t Index(const DeviceDef& def) { return static_cast<std::uint16_t>(def.index); }
+
 using Made = std::shared_ptr<Device>;
 
 Made MakePosition2d(const DeviceContext& context, const sim::Robot& robot, const DeviceDef& def) {
@@ -29,17 +38,55 @@ Made MakePosition2d(const DeviceContext& context, const sim::Robot& robot, const
   if (sensor == nullptr) return nullptr;
   const sim::NumberForm form = sensor->number_form();
   if (form != sim::NumberForm::kOdometry && form != sim::NumberForm::kPose) return nullptr;
-  // Who looks from above does not drive.
-  const bool drives = def.index != 2;
-  return std::make_shared<Position2d>(context, robot, static_cast<std::uint16_t>(def.index),
-                                      *sensor, drives, Frequency(context, def));
+  return std::make_shared<Position2d>(context, robot, Index(def), *sensor, def.drives,
+                                      Frequency(context, def));
 }
 
-template <typename Kind>
-Made MakeScanner(const DeviceContext& context, const sim::Robot& robot, const DeviceDef& def) {
+Made MakeLaser(const DeviceContext& context, const sim::Robot& robot, const DeviceDef& def) {
   const auto* const scanner = Find<sim::LaserScanner>(context, robot, def, "hokuyo");
   if (scanner == nullptr) return nullptr;
-  return std::make_shared<Kind>(context, static_cast<std::uint16_t>(def.index), *scanner);
+  return std::make_shared<Laser>(context, Index(def), *scanner);
+}
+
+Made MakeRing(const DeviceContext& context, const sim::Robot& robot, const DeviceDef& def,
+              std::uint16_t interface_code, const char* usual) {
+  const auto* const ring = Find<sim::RangeRing>(context, robot, def, usual);
+  if (ring == nullptr) return nullptr;
+  return std::make_shared<Ring>(context, interface_code, Index(def), *ring);
+}
+
+Made MakeSonar(const DeviceContext& context, const sim::Robot& robot, const DeviceDef& def) {
+  return MakeRing(context, robot, def, wire::kSonar, "sonar");
+}
+
+Made MakeIr(const DeviceContext& context, const sim::Robot& robot, const DeviceDef& def) {
+  return MakeRing(context, robot, def, wire::kIr, "ir");
+}
+
+Made MakeRanger(const DeviceContext& context, const sim::Robot& robot, const DeviceDef& def) {
+  const auto* const scanner = Find<sim::LaserScanner>(context, robot, def, "hokuyo");
+  if (scanner == nullptr) return MakeRing(context, robot, def, wire::kRanger, "hokuyo");
+  return std::make_shared<ScannerRanger>(context, Index(def), *scanner);
+}
+
+// Devices of a robot's body, published at a rate.
+template <typename Kind>
+Made MakeOfBody(const DeviceContext& context, const sim::Robot& robot, const DeviceDef& def) {
+  return std::make_shared<Kind>(context, robot, Index(def), Frequency(context, def));
+}
+
+// Devices of the world, which are the same for each robot.
+template <typename Kind>
+Made MakeOfWorld(const DeviceContext& context, const sim::Robot& /*robot*/, const DeviceDef& def) {
+  return std::make_shared<Kind>(context, Index(def));
+}
+
+Made MakeGraphics2d(const DeviceContext& context, const sim::Robot& robot, const DeviceDef& def) {
+  return std::make_shared<Graphics2d>(context, robot, Index(def));
+}
+
+Made MakeSpeech(const DeviceContext& /*context*/, const sim::Robot& robot, const DeviceDef& def) {
+  return std::make_shared<Speech>(robot.name(), Index(def));
 }
 
 struct Maker {
@@ -49,8 +96,19 @@ struct Maker {
 
 constexpr std::array kMakers = {
     Maker{"position2d", &MakePosition2d},
-    Maker{"laser", &MakeScanner<Laser>},
-    Maker{"ranger", &MakeScanner<ScannerRanger>},
+    Maker{"laser", &MakeLaser},
+    Maker{"ranger", &MakeRanger},
+    Maker{"sonar", &MakeSonar},
+    Maker{"ir", &MakeIr},
+    Maker{"bumper", &MakeOfBody<Bumper>},
+    Maker{"power", &MakeOfWorld<Power>},
+    Maker{"blobfinder", &MakeOfBody<Blobfinder>},
+    Maker{"fiducial", &MakeOfBody<Fiducial>},
+    Maker{"graphics2d", &MakeGraphics2d},
+    Maker{"speech", &MakeSpeech},
+    Maker{"simulation", &MakeOfWorld<SimulationDevice>},
+    Maker{"map", &MakeOfWorld<MapDevice>},
+    Maker{"opaque", &MakeOfWorld<Opaque>},
 };
 
 }  // namespace
@@ -65,7 +123,29 @@ std::shared_ptr<Device> MakeDevice(const DeviceContext& context, const sim::Robo
 }
 
 std::vector<DeviceDef> DefaultDevices() {
-  return {{"position2d", 0, "odometry"}, {"position2d", 2, "pose"}, {"laser", 0}, {"ranger", 0}};
+  const auto of = [](const char* interface_name, int index, const char* source = "") {
+    return DeviceDef{interface_name, index, source};
+  };
+  DeviceDef from_above = of("position2d", 2, "pose");
+  from_above.drives = false;
+  return {of("position2d", 0, "odometry"),
+          from_above,
+          of("laser", 0),
+          of("ranger", 0, "hokuyo"),
+          of("sonar", 0),
+          of("ranger", 1, "sonar"),
+          of("ir", 0),
+          of("ranger", 2, "ir"),
+          of("bumper", 0),
+          of("power", 0),
+          of("blobfinder", 0),
+          of("fiducial", 0),
+          of("graphics2d", 0),
+          of("graphics2d", 1),
+          of("speech", 0),
+          of("simulation", 0),
+          of("map", 0),
+          of("opaque", 0)};
 }
 
 }  // namespace ccmorse::servers::player
