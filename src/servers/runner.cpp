@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <boost/asio/post.hpp>
 #include <cmath>
 #include <optional>
@@ -37,20 +38,29 @@ const char* PaceName(Pace pace) {
 Runner::Runner(sim::Simulation& simulation, const RunOptions& options)
     : simulation_(simulation),
       options_(options),
-      morse_(io_, simulation, Control(),
+      directory_(simulation, Control()),
+      morse_(io_, simulation, directory_,
              {PaceName(options.pace), simulation.scenario().time.read_frequency,
               [this] { return Clock(); }},
-             options.morse) {}
+             options.morse),
+      servers_{&morse_} {
+  if (!options.player) return;
+  player_ = player::PlayerServer::Open(io_, simulation, directory_, *options.player);
+  if (player_ != nullptr) servers_.push_back(player_.get());
+}
 
 void Runner::AddWatcher(RunWatcher& watcher) {
   watchers_.push_back(&watcher);
-  morse_.set_input_tap([this](const Input& input) {
+  directory_.set_input_tap([this](const Input& input) {
     for (RunWatcher* each : watchers_) each->Incoming(input);
   });
 }
 
 RunControl Runner::Control() {
   RunControl control;
+  control.stream_port = [this](const sim::Component& component) {
+    return morse_.StreamPort(component);
+  };
   control.quit = [this] { Stop(); };
   control.time_mode = [this] {
     return options_.pace == Pace::kRealTime ? "Best Effort" : "Fixed Simulation Step";
@@ -97,6 +107,45 @@ Json Runner::Statistics() const {
   return statistics;
 }
 
+bool Runner::HasReaders() const {
+  return std::any_of(servers_.begin(), servers_.end(),
+                     [](const auto* s) { return s->HasReaders(); });
+}
+
+bool Runner::HasClients() const {
+  return std::any_of(servers_.begin(), servers_.end(),
+                     [](const auto* s) { return s->HasClients(); });
+}
+
+bool Runner::ClientsAreWaiting() const {
+  int ever = 0;
+  for (const ProtocolServer* server : servers_) {
+    if (!server->ReadersAreWaiting()) return false;
+    ever += server->ReadersEver();
+  }
+  return ever >= options_.clients && HasReaders();
+}
+
+std::optional<Runner::WallClock::time_point> Runner::LetHangingGo(WallClock::duration limit) {
+  // Nobody waits for a client that is alone.
+  std::optional<WallClock::time_point> since;
+  for (const ProtocolServer* server : servers_) {
+    const auto one = server->WaitingSince();
+    if (one) since = since ? std::min(*since, *one) : one;
+  }
+  if (!since) return std::nullopt;
+  std::optional<WallClock::time_point> next;
+  for (ProtocolServer* server : servers_) {
+    const auto one = server->LetHangingGo(*since, limit);
+    if (one) next = next ? std::min(*next, *one) : one;
+  }
+  return next;
+}
+
+void Runner::CloseServers() {
+  for (ProtocolServer* server : servers_) server->Close();
+}
+
 void Runner::Stop() {
   stop_ = true;
   boost::asio::post(io_, [] {});  // wakes a Run() that waits
@@ -125,15 +174,15 @@ RunSummary Runner::Run() {
     simulation_.Sense();
     sensed = true;
     for (RunWatcher* watcher : watchers_) watcher->Sensed();
-    morse_.Sensed();
+    for (ProtocolServer* server : servers_) server->Sensed();
     WaitForTurn();
     if (stop_) break;
     if (first) start_ = last_tick_ = WallClock::now();
-    morse_.ApplyStreams();
+    for (ProtocolServer* server : servers_) server->ApplyInputs();
     simulation_.Act();
     sensed = false;
     for (RunWatcher* watcher : watchers_) watcher->Acted();
-    morse_.TimeAdvanced();
+    directory_.TimeAdvanced();
     CountTick();
     if (first && on_first_tick_) on_first_tick_();
     first = false;
@@ -158,7 +207,7 @@ void Runner::WaitForTurn() {
         pace_tick_ = simulation_.tick();
       }
       ServeWhatIsThere();
-      SleepUntil(morse_.HasReaders() ? due - kWakeEarly : due);
+      SleepUntil(HasReaders() ? due - kWakeEarly : due);
       while (!stop_ && WallClock::now() < due) io_.poll_one();
       return;
     }
@@ -194,25 +243,25 @@ void Runner::WaitForClients() {
   // A client that computes little asks again within microseconds, and waking from sleep takes tens
   // of them: so the thread stays awake for a moment, and leaves the processor to whoever wants it.
   const auto awake_until = WallClock::now() + kStayAwake;
-  while (!stop_ && !morse_.ClientsAreWaiting(options_.clients)) {
+  while (!stop_ && !ClientsAreWaiting()) {
     if (io_.poll_one() == 0) std::this_thread::yield();
     if (WallClock::now() > awake_until) break;
   }
   const auto limit = std::chrono::duration_cast<WallClock::duration>(
       std::chrono::duration<double>(options_.client_timeout));
-  while (!stop_ && !morse_.ClientsAreWaiting(options_.clients)) {
+  while (!stop_ && !ClientsAreWaiting()) {
     // After StopAfterClients() what is there comes first: a client that was not yet accepted may
     // have left commands behind.
     if (patience_ && io_.poll_one() > 0) continue;
-    if (patience_ && !morse_.HasClients()) {
+    if (patience_ && !HasClients()) {
       stop_ = true;
       break;
     }
     const auto look_again =
-        limit > WallClock::duration::zero() ? morse_.LetHangingGo(limit) : std::nullopt;
+        limit > WallClock::duration::zero() ? LetHangingGo(limit) : std::nullopt;
     if (look_again) {
       io_.run_one_until(*look_again);
-    } else if (!morse_.ClientsAreWaiting(options_.clients)) {
+    } else if (!ClientsAreWaiting()) {
       io_.run_one();
     }
   }
@@ -229,10 +278,12 @@ void Runner::CountTick() {
 }
 
 void Runner::LetClientsFinish() {
-  morse_.EndReads(fmt::format("The simulation has ended at {:.3f} s", simulation_.time()));
+  for (ProtocolServer* server : servers_) {
+    server->EndReads(fmt::format("The simulation has ended at {:.3f} s", simulation_.time()));
+  }
   const auto until = WallClock::now() + kFarewell;
   io_.restart();
-  while (morse_.HasReaders() && io_.run_one_until(until) > 0) {
+  while (HasReaders() && io_.run_one_until(until) > 0) {
   }
   // Replies under way, such as that to `simulation quit`, still go out.
   for (int i = 0; i < kHandlersPerTick && io_.poll_one() > 0; ++i) {

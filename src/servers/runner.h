@@ -6,10 +6,13 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "servers/morse/morse_server.h"
+#include "servers/morse/service_directory.h"
+#include "servers/player/player_server.h"
 #include "servers/run_watcher.h"
 #include "sim/simulation.h"
 
@@ -34,6 +37,8 @@ struct RunOptions {
   /// Lock-step: how long a client may keep others waiting and send nothing, s of wall-clock time,
   /// before it is let go; 0: for ever.
   double client_timeout = 10.0;
+  /// Serves Player's protocol as well, where given.
+  std::optional<player::PlayerServerOptions> player = {};
 };
 
 /// What a run came to.
@@ -42,7 +47,8 @@ struct RunSummary {
   double wall = 0.0;       ///< s, from the first step on: waiting for a first client does not count
 };
 
-/// Advances a simulation at a pace and serves it meanwhile: the one loop of the simulator.
+/// Advances a simulation at a pace and serves it meanwhile: the one loop of the simulator. Whatever
+/// its servers' clients want changed goes through its one directory of services.
 /// Everything happens on the thread that calls Run().
 class Runner {
  public:
@@ -65,7 +71,13 @@ class Runner {
   void StopAfterClients();
 
   boost::asio::io_context& io() { return io_; }
+  /// The one door for what changes the simulation.
+  ServiceDirectory& directory() { return directory_; }
   MorseServer& morse() { return morse_; }
+  /// nullptr where Player's protocol is not served.
+  player::PlayerServer* player() { return player_.get(); }
+  /// Stops listening and lets all clients go, so that the ports are free.
+  void CloseServers();
 
   /// Called once, after the first tick (benchmarks measure the time to it).
   void set_on_first_tick(std::function<void()> callback) { on_first_tick_ = std::move(callback); }
@@ -74,6 +86,14 @@ class Runner {
   using WallClock = std::chrono::steady_clock;
 
   RunControl Control();
+  bool HasReaders() const;
+  bool HasClients() const;
+  // Lock-step: has every client that reads asked for its next data, is there one at all, and have
+  // as many as the options say ever come? So a run of several programs starts when the last has
+  // joined.
+  bool ClientsAreWaiting() const;
+  // See ProtocolServer.
+  std::optional<WallClock::time_point> LetHangingGo(WallClock::duration limit);
   Json Statistics() const;
   Json Clock() const;
   // Real time: when the tick is to act that is so many ticks later than the next.
@@ -89,7 +109,10 @@ class Runner {
   boost::asio::io_context io_;
   sim::Simulation& simulation_;
   RunOptions options_;
+  ServiceDirectory directory_;
   MorseServer morse_;
+  std::unique_ptr<player::PlayerServer> player_;
+  std::vector<ProtocolServer*> servers_;  // in the order in which they are told of anything
   std::atomic<bool> stop_ = false;
   boost::asio::steady_timer bell_{io_};
   bool bell_rang_ = false;

@@ -153,6 +153,21 @@ int Run(int argc, char** argv) {
                    "word that the live view's address must carry; with --bind to other addresses "
                    "than this machine's there is no view without one")
       ->type_name("WORD");
+  CLI::Option* const player_port =
+      run_command
+          ->add_option("--player-port", run.player_port,
+                       "of Player's protocol for the first robot, the next one's is one higher; 0 "
+                       "takes any free ones  [6665; without Player where that is taken]")
+          ->check(CLI::Range(0, 65535))
+          ->type_name("N");
+  run_command->add_flag("--no-player", run.no_player, "do not serve Player's protocol")
+      ->excludes(player_port);
+  run_command
+      ->add_option("--mirror", run.mirrors,
+                   "show a real robot: put ROBOT (else the first) where the Player server says its "
+                   "robot is, with its laser scan; once for each robot")
+      ->type_name("[ROBOT=]player://HOST[:PORT]")
+      ->take_all();
   run_command->add_option("--bind", run.bind, "address to listen on  [127.0.0.1]")
       ->type_name("ADDRESS");
   run_command->add_option("--out", run.out, "folder for pictures that clients save  [.]")
@@ -185,6 +200,7 @@ int Run(int argc, char** argv) {
       "  ccmorse run two_robots --port 0          prints the port it took\n"
       "  ccmorse run syrotek --record run.mcap --record-data hokuyo,poses\n"
       "  ccmorse replay run.mcap --verify         does it come out the same again?\n"
+      "  ccmorse run syrotek --mirror player://syrotek:38000\n"
       "  ccmorse run simple.cfg                   a world of Stage with Player's drivers\n"
       "Ctrl-C ends a run and prints its report.");
 

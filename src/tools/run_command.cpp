@@ -20,6 +20,7 @@
 #include "base/log.h"
 #include "scene/player/import.h"
 #include "scene/scenario.h"
+#include "servers/player/mirror.h"
 #include "servers/record/recorder.h"
 #include "servers/runner.h"
 #include "servers/web/web_server.h"
@@ -126,8 +127,7 @@ std::unique_ptr<servers::WebServer> ServeView(const RunArguments& arguments,
         options.bind);
     return nullptr;
   }
-  return std::make_unique<servers::WebServer>(runner.io(), simulation, runner.morse().directory(),
-                                              options);
+  return std::make_unique<servers::WebServer>(runner.io(), simulation, runner.directory(), options);
 }
 
 void OpenBrowser(const std::string& address) {
@@ -184,6 +184,33 @@ void WritePicture(const sim::Simulation& simulation, const std::string& path) {
   WritePng(RenderTopView(view), path);
 }
 
+std::optional<servers::player::PlayerServerOptions> PlayerOptions(const RunArguments& arguments) {
+  if (arguments.no_player) return std::nullopt;
+  servers::player::PlayerServerOptions options;
+  options.bind = arguments.bind;
+  if (arguments.player_port) {
+    options.port = *arguments.player_port;
+  } else if (arguments.port == 0) {
+    options.port = 0;
+  } else {
+    options.may_be_taken = true;
+  }
+  return options;
+}
+
+void PrintPlayerPorts(const std::string& bind, const servers::player::PlayerServer* server) {
+  if (server == nullptr) return;
+  const auto ports = server->ports();
+  constexpr std::size_t kShown = 16;
+  for (std::size_t i = 0; i < ports.size() && i < kShown; ++i) {
+    fmt::print("Player on {} port {} (robot {})\n", bind, ports[i].port, ports[i].robot);
+  }
+  if (ports.size() > kShown) {
+    fmt::print("... and on ports up to {} for the {} others\n", ports.back().port,
+               ports.size() - kShown);
+  }
+}
+
 // Prints the state hash every so many ticks.
 class HashPrinter : public servers::RunWatcher {
  public:
@@ -222,6 +249,7 @@ int Run(const RunArguments& arguments) {
   options.morse.bind = arguments.bind;
   options.morse.port = arguments.port;
   options.morse.first_stream_port = arguments.stream_port;
+  options.player = PlayerOptions(arguments);
   RequireDifferent({arguments.picture, arguments.report, arguments.record});
   PrepareFile(arguments.picture);
   PrepareFile(arguments.report);
@@ -251,6 +279,12 @@ int Run(const RunArguments& arguments) {
   const std::unique_ptr<servers::WebServer> view = ServeView(arguments, simulation, runner);
   if (view) runner.AddWatcher(*view);
 
+  std::vector<std::unique_ptr<servers::Mirror>> mirrors;
+  for (const std::string& target : arguments.mirrors) {
+    mirrors.push_back(std::make_unique<servers::Mirror>(runner.io(), simulation, runner.directory(),
+                                                        servers::MirrorTarget::Parse(target)));
+  }
+
   // Whoever reads our output may stop reading (`| head`); the run and its record go on.
   std::signal(SIGPIPE, SIG_IGN);
   const StopSignalWatch watch(signals, runner.io(), [&runner](int signal) {
@@ -269,6 +303,7 @@ int Run(const RunArguments& arguments) {
     fmt::print("MORSE services on {} port {}\n", arguments.bind, runner.morse().port());
     const auto [first_stream, last_stream] = runner.morse().stream_ports();
     if (first_stream != 0) fmt::print("Streams on ports {} to {}\n", first_stream, last_stream);
+    PrintPlayerPorts(arguments.bind, runner.player());
     if (options.pace == servers::Pace::kLockstep) {
       fmt::print("Lock-step: time starts when {}\n",
                  options.clients == 1 ? "a client reads"
@@ -281,7 +316,7 @@ int Run(const RunArguments& arguments) {
   if (view && arguments.open) OpenBrowser(view->address());
   const servers::RunSummary summary = runner.Run();
   if (view) view->Close();
-  runner.morse().Close();  // the ports are free while the picture is made
+  runner.CloseServers();  // the ports are free while the picture is made
 
   if (!arguments.quiet) PrintReport(simulation, runner.morse(), summary);
   if (!arguments.report.empty()) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ccmorse::tools {
 
@@ -21,6 +22,11 @@ struct RunArguments {
   int view_port = 8000;              ///< of the live view, or the next free one; 0: any
   std::string token;                 ///< that the view's address must carry; "": none
   bool open = false;                 ///< show the view in the user's browser
+  /// Player's port of the first robot, 0: any free ones. Where not given, Player's own, and the run
+  /// goes on without it if that is taken; with `port` 0 any free ones.
+  std::optional<int> player_port;
+  bool no_player = false;  ///< leaves Player's protocol out
+  std::vector<std::string> mirrors;  ///< servers::MirrorTarget::Parse
   std::string bind = "127.0.0.1";
   std::string out = ".";                    ///< folder for pictures that clients save
   std::string picture;                      ///< PNG of the arena from above at the end; "": none

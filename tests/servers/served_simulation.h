@@ -55,13 +55,17 @@ class ServedSimulation {
   const sim::Simulation& simulation() const { return simulation_; }
   const std::string& record() const { return recorder_.file(); }
   MorseServer& server() { return runner_.morse(); }
+  /// Player's port of the n-th robot.
+  int player_port(std::size_t n = 0) { return runner_.player()->ports().at(n).port; }
 
  private:
   static RunOptions Options(Pace pace, double seconds, MorseServerOptions limits, int clients,
                             double client_timeout) {
     limits.port = 0;
     limits.first_stream_port = 0;
-    return {pace, 1.0, seconds, clients, limits, client_timeout};
+    player::PlayerServerOptions player;
+    player.port = 0;
+    return {pace, 1.0, seconds, clients, limits, client_timeout, player};
   }
 
   testing::TemporaryFolder folder_;

@@ -58,13 +58,13 @@ struct Earlier {
 // What all connections use. Connections hold it weakly or by reference through the server's
 // lifetime; `closed` tells handlers that still run that the server has gone.
 struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
-  Shared(asio::io_context& io_in, sim::Simulation& simulation_in, RunControl control,
+  Shared(asio::io_context& io_in, sim::Simulation& simulation_in, ServiceDirectory& directory_in,
          const Pace& pace_in, const MorseServerOptions& options_in)
       : io(io_in),
         simulation(simulation_in),
         pace(pace_in),
         options(options_in),
-        directory(simulation_in, std::move(control)) {}
+        directory(directory_in) {}
 
   // The tick at whose Sense() the n-th read of a connection is answered.
   std::uint64_t ReadTick(std::uint64_t n) const {
@@ -96,12 +96,12 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
   sim::Simulation& simulation;
   Pace pace;
   MorseServerOptions options;
-  ServiceDirectory directory;
+  ServiceDirectory& directory;
   std::shared_ptr<Listener> listener;
   std::uint64_t arrivals = 0;  // of clients, so far
   std::set<std::shared_ptr<ServiceConnection>, Earlier> connections;
   std::vector<std::shared_ptr<ServiceConnection>> told;  // scratch of TellConnections()
-  std::vector<std::shared_ptr<StreamPort>> streams;
+  std::vector<std::shared_ptr<Stream>> streams;
   std::size_t stream_clients = 0;
   int readers_ever = 0;  // connections that have sent a read
   bool sensed_once = false;
@@ -624,9 +624,9 @@ void MorseServer::Shared::TellConnections() {
 
 // The stream of one component: a sensor's lines go to every client, an actuator takes every
 // client's newest line.
-class MorseServer::StreamPort : public std::enable_shared_from_this<MorseServer::StreamPort> {
+class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Stream> {
  public:
-  StreamPort(Shared& shared, sim::Component& component)
+  Stream(Shared& shared, sim::Component& component)
       : shared_(shared),
         component_(component),
         sensor_(dynamic_cast<sim::Sensor*>(&component)),
@@ -752,15 +752,10 @@ class MorseServer::StreamPort : public std::enable_shared_from_this<MorseServer:
   std::set<std::shared_ptr<Client>, Earlier> clients_;
 };
 
-MorseServer::MorseServer(asio::io_context& io, sim::Simulation& simulation, RunControl control,
-                         const Pace& pace, const MorseServerOptions& options) {
-  control.stream_port = [this](const sim::Component& component) {
-    for (const auto& stream : shared_->streams) {
-      if (&stream->component() == &component) return stream->port();
-    }
-    return 0;
-  };
-  shared_ = std::make_shared<Shared>(io, simulation, std::move(control), pace, options);
+MorseServer::MorseServer(asio::io_context& io, sim::Simulation& simulation,
+                         ServiceDirectory& directory, const Pace& pace,
+                         const MorseServerOptions& options) {
+  shared_ = std::make_shared<Shared>(io, simulation, directory, pace, options);
   shared_->listener = std::make_shared<Listener>(io, [shared = shared_.get()](tcp::socket socket) {
     if (shared->connections.size() >= shared->options.most_clients) {
       shared->warnings.Warn("more than {} connections to the service port, one was refused",
@@ -776,7 +771,7 @@ MorseServer::MorseServer(asio::io_context& io, sim::Simulation& simulation, RunC
   int next_port = options.first_stream_port;
   for (sim::Component* component : simulation.components()) {
     if (!ServiceDirectory::HasStream(*component)) continue;
-    auto stream = std::make_shared<StreamPort>(*shared_, *component);
+    auto stream = std::make_shared<Stream>(*shared_, *component);
     stream->Open(next_port);
     if (next_port != 0) next_port = stream->port() + 1;
     shared_->streams.push_back(std::move(stream));
@@ -797,6 +792,13 @@ void MorseServer::Close() {
 }
 
 int MorseServer::port() const { return shared_->listener->port(); }
+
+int MorseServer::StreamPort(const sim::Component& component) const {
+  for (const auto& stream : shared_->streams) {
+    if (&stream->component() == &component) return stream->port();
+  }
+  return 0;
+}
 
 std::pair<int, int> MorseServer::stream_ports() const {
   if (shared_->streams.empty()) return {0, 0};
@@ -819,21 +821,14 @@ void MorseServer::Sensed() {
   shared_->TellConnections();
 }
 
-ServiceDirectory& MorseServer::directory() { return shared_->directory; }
-
-void MorseServer::set_input_tap(ServiceDirectory::InputTap tap) {
-  shared_->directory.set_input_tap(std::move(tap));
-}
-
-void MorseServer::ApplyStreams() {
+void MorseServer::ApplyInputs() {
   for (const auto& stream : shared_->streams) stream->Apply();
 }
 
-void MorseServer::TimeAdvanced() { shared_->directory.TimeAdvanced(); }
+int MorseServer::ReadersEver() const { return shared_->readers_ever; }
 
-bool MorseServer::ClientsAreWaiting(int clients) const {
-  return HasReaders() && shared_->readers_ever >= clients &&
-         std::all_of(shared_->connections.begin(), shared_->connections.end(),
+bool MorseServer::ReadersAreWaiting() const {
+  return std::all_of(shared_->connections.begin(), shared_->connections.end(),
                      [](const auto& c) { return !c->reads() || c->read_outstanding(); });
 }
 
@@ -851,14 +846,17 @@ void MorseServer::EndReads(const std::string& reason) {
   shared_->TellConnections();
 }
 
-std::optional<Clock::time_point> MorseServer::LetHangingGo(Clock::duration limit) {
-  // Nobody waits for a client that is alone.
-  auto waiting_since = Clock::time_point::max();
+std::optional<Clock::time_point> MorseServer::WaitingSince() const {
+  std::optional<Clock::time_point> since;
   for (const auto& connection : shared_->connections) {
     if (!connection->read_outstanding()) continue;
-    waiting_since = std::min(waiting_since, connection->read_since());
+    since = since ? std::min(*since, connection->read_since()) : connection->read_since();
   }
-  if (waiting_since == Clock::time_point::max()) return std::nullopt;
+  return since;
+}
+
+std::optional<Clock::time_point> MorseServer::LetHangingGo(Clock::time_point waiting_since,
+                                                           Clock::duration limit) {
   const auto now = Clock::now();
   std::optional<Clock::time_point> next;
   std::vector<std::shared_ptr<ServiceConnection>> hanging;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "servers/morse/service_directory.h"
+#include "servers/protocol_server.h"
 #include "sim/simulation.h"
 
 namespace ccmorse::servers {
@@ -34,7 +35,7 @@ struct MorseServerOptions {
 /// the fast link for clients that ask for it (docs/protocols/fast-link.md). It
 /// does its work in handlers of the io_context, on the thread that runs it, which must be the
 /// thread that advances the simulation; each handler is short.
-class MorseServer {
+class MorseServer : public ProtocolServer {
  public:
   /// What `ccmorse hello` tells of the run.
   struct Pace {
@@ -44,44 +45,35 @@ class MorseServer {
     std::function<Json()> clock = {};
   };
 
-  /// Listens. Throws Error that names the port when it is taken. `control.stream_port` is filled
-  /// in.
-  MorseServer(boost::asio::io_context& io, sim::Simulation& simulation, RunControl control,
+  /// Listens. Throws Error that names the port when it is taken. The directory outlives the server;
+  /// its control's stream_port is to ask StreamPort().
+  MorseServer(boost::asio::io_context& io, sim::Simulation& simulation, ServiceDirectory& directory,
               const Pace& pace, const MorseServerOptions& options);
-  ~MorseServer();
+  ~MorseServer() override;
 
   int port() const;
   /// Lowest and highest port of the streams; 0 and 0 without any.
   std::pair<int, int> stream_ports() const;
-  /// Stops listening and lets all clients go, so that the ports are free.
-  void Close();
+  /// Of a component's stream; 0 when it has none.
+  int StreamPort(const sim::Component& component) const;
+  void Close() override;
 
-  /// What is served.
-  ServiceDirectory& directory();
-  /// See ServiceDirectory::set_input_tap.
-  void set_input_tap(ServiceDirectory::InputTap tap);
+  /// Sends the streams, and answers each `read` whose time has come.
+  void Sensed() override;
+  /// Gives actuators the newest line of their streams.
+  void ApplyInputs() override;
 
-  /// After Simulation::Sense(): sends the streams, and answers each `read` whose time has come.
-  void Sensed();
-  /// Before Simulation::Act(): gives actuators the newest line of their streams.
-  void ApplyStreams();
-  /// After Simulation::Act().
-  void TimeAdvanced();
-
-  /// Lock-step: has every client that reads asked for its next data, is there one at all, and have
-  /// `clients` of them ever come? So a run of several programs starts when the last has joined.
-  bool ClientsAreWaiting(int clients) const;
-  /// Has any client ever sent a `read` and not yet left?
-  bool HasReaders() const;
+  // A reader is a connection that has sent a `read`.
+  int ReadersEver() const override;
+  bool HasReaders() const override;
+  bool ReadersAreWaiting() const override;
   /// Is any client connected, to the services or to a stream?
-  bool HasClients() const;
-  /// Lock-step: closes, with a log line, connections of clients that hang: that read, have sent
-  /// nothing for `limit`, and keep another one waiting for as long. When to look again; nothing
-  /// while nobody waits for anybody.
-  std::optional<std::chrono::steady_clock::time_point> LetHangingGo(
-      std::chrono::steady_clock::duration limit);
-  /// Answers every `read`, now and from now on, with FAILED `reason`.
-  void EndReads(const std::string& reason);
+  bool HasClients() const override;
+  std::optional<TimePoint> WaitingSince() const override;
+  std::optional<TimePoint> LetHangingGo(TimePoint waiting_since,
+                                        std::chrono::steady_clock::duration limit) override;
+  /// Answers every `read` with FAILED `reason`.
+  void EndReads(const std::string& reason) override;
 
   /// How many samples of a sensor clients have fetched by get_local_data or a stream, each once.
   std::uint64_t SamplesUsed(const std::string& full_name) const;
@@ -89,7 +81,7 @@ class MorseServer {
  private:
   struct Shared;
   class ServiceConnection;
-  class StreamPort;
+  class Stream;
   std::shared_ptr<Shared> shared_;
 };
 

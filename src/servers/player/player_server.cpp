@@ -1,0 +1,332 @@
+#include "servers/player/player_server.h"
+
+#include <algorithm>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <deque>
+#include <utility>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "servers/net/listener.h"
+#include "servers/net/outbox.h"
+#include "servers/net/warning_limit.h"
+#include "servers/player/device_factory.h"
+
+namespace ccmorse::servers::player {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using ErrorCode = boost::system::error_code;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kReadBlock = 64U << 10;
+constexpr auto kTurn = std::chrono::milliseconds(1);  // of one connection before others get theirs
+// Bytes on their way to a client, from which on its data wait in its queue, where replace rules and
+// limits hold.
+constexpr std::size_t kOnTheWay = 64U << 10;
+constexpr const char* kVersion = "3.1.0";  // Player's, whose protocol this is
+
+}  // namespace
+
+// What all connections use; it lives until the last handler of theirs has run.
+struct PlayerServer::Shared {
+  Shared(asio::io_context& io_in, sim::Simulation& simulation_in, ServiceDirectory& directory_in,
+         const PlayerServerOptions& options_in)
+      : io(io_in),
+        simulation(simulation_in),
+        context{simulation_in, directory_in},
+        options(options_in) {}
+
+  struct OpenPort {
+    std::string robot;
+    DeviceList devices;
+    std::shared_ptr<Listener> listener;
+    std::size_t clients = 0;
+  };
+
+  // Sends to all what is there for them. Connections may come to their end by it.
+  void DeliverPending();
+
+  asio::io_context& io;
+  sim::Simulation& simulation;
+  DeviceContext context;
+  PlayerServerOptions options;
+  std::deque<OpenPort> ports;
+  std::vector<std::shared_ptr<Connection>> connections;  // in the order in which they came
+  std::vector<std::shared_ptr<Connection>> told;         // scratch of DeliverPending()
+  int readers_ever = 0;
+  std::string ended;  // why data end, once the run is over
+  WarningLimit warnings;
+  bool closed = false;
+};
+
+// One client.
+class PlayerServer::Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(Shared& shared, Shared::OpenPort& port, tcp::socket socket)
+      : shared_(shared),
+        port_(port),
+        socket_(std::move(socket)),
+        outbox_(socket_),
+        session_(std::make_unique<PlayerSession>(
+            port.devices, static_cast<std::uint32_t>(port.listener->port()),
+            [&shared] { return shared.simulation.time(); }, shared.options.session)) {
+    ErrorCode ignored;
+    const tcp::endpoint peer = socket_.remote_endpoint(ignored);
+    name_ = peer.address().to_string() + ":" + std::to_string(peer.port());
+    ++port_.clients;
+  }
+
+  void Start() {
+    outbox_.text() += wire::Banner(kVersion);
+    Flush();
+    if (!left_) Read();
+  }
+
+  bool reads() const { return session_ != nullptr && session_->reads(); }
+  bool waits() const { return session_ != nullptr && session_->waits(); }
+  Clock::time_point waits_since() const { return waits_since_; }
+  Clock::time_point heard() const { return heard_; }
+  const std::string& name() const { return name_; }
+
+  bool pending() const { return session_ != nullptr && session_->pending(); }
+
+  // Sends what may be sent. The connection may come to its end by it.
+  void Deliver() {
+    if (left_ || outbox_.size() > kOnTheWay) return;
+    session_->Deliver(outbox_.text());
+    Flush();
+  }
+
+  void Leave() {
+    if (left_) return;
+    left_ = true;
+    const auto self = shared_from_this();
+    session_ = nullptr;  // unsubscribes: what it drove stops
+    --port_.clients;
+    ErrorCode ignored;
+    socket_.close(ignored);
+    std::erase(shared_.connections, self);
+  }
+
+ private:
+  void Read() {
+    reading_ = true;
+    block_.resize(kReadBlock);
+    socket_.async_read_some(asio::buffer(block_),
+                            [self = shared_from_this()](ErrorCode error, std::size_t size) {
+                              self->reading_ = false;
+                              if (self->left_) return;
+                              if (error) return self->Leave();
+                              self->heard_ = Clock::now();
+                              self->session_->Take({self->block_.data(), size});
+                              self->Process();
+                            });
+  }
+
+  // Serves messages until there are no more, the client's replies pile up or it had its turn.
+  void Process() {
+    const auto until = Clock::now() + kTurn;
+    bool more = false;
+    const bool read_before = session_->reads();
+    const bool waited_before = session_->waits();
+    while (outbox_.size() + session_->queued_bytes() <= shared_.options.most_unread) {
+      if (!session_->ServeNext()) break;
+      if (Clock::now() > until) {
+        more = true;
+        break;
+      }
+    }
+    if (session_->broken()) {
+      shared_.warnings.Warn("Player client {} sent what is no message: it is let go", name_);
+      return Leave();
+    }
+    if (!read_before && session_->reads()) ++shared_.readers_ever;
+    Deliver();
+    // What came may have been for others.
+    shared_.DeliverPending();
+    if (left_) return;
+    if (!waited_before && session_->waits()) {
+      waits_since_ = Clock::now();
+      // Nothing will come any more; the client's Read() fails, as when a server has gone.
+      if (!shared_.ended.empty()) return Leave();
+    }
+    if (more) {
+      if (turn_posted_) return;
+      turn_posted_ = true;
+      asio::post(shared_.io, [self = shared_from_this()] {
+        self->turn_posted_ = false;
+        if (!self->left_) self->Process();
+      });
+      return;
+    }
+    if (!reading_ && outbox_.size() <= shared_.options.most_unread) Read();
+  }
+
+  void Flush() {
+    outbox_.Flush(shared_from_this(), [this](ErrorCode error) {
+      if (left_) return;
+      if (error) return Leave();
+      Process();
+    });
+  }
+
+  Shared& shared_;
+  Shared::OpenPort& port_;
+  tcp::socket socket_;
+  Outbox outbox_;
+  std::unique_ptr<PlayerSession> session_;  // until it has left
+  std::string name_;
+  std::vector<char> block_;
+  Clock::time_point waits_since_{};
+  Clock::time_point heard_ = Clock::now();
+  bool reading_ = false;
+  bool turn_posted_ = false;
+  bool left_ = false;
+};
+
+void PlayerServer::Shared::DeliverPending() {
+  for (const auto& connection : connections) {
+    if (connection->pending()) told.push_back(connection);
+  }
+  for (const auto& connection : told) connection->Deliver();
+  told.clear();
+}
+
+PlayerServer::PlayerServer(std::shared_ptr<Shared> shared) : shared_(std::move(shared)) {}
+
+std::unique_ptr<PlayerServer> PlayerServer::Open(asio::io_context& io, sim::Simulation& simulation,
+                                                 ServiceDirectory& directory,
+                                                 const PlayerServerOptions& options) {
+  std::unique_ptr<PlayerServer> server(
+      new PlayerServer(std::make_shared<Shared>(io, simulation, directory, options)));
+  Shared& shared = *server->shared_;
+  int next = options.port;
+  for (const scene::RobotDef& def : simulation.scenario().robots) {
+    const sim::Robot* const robot = simulation.FindRobot(def.name);
+    if (robot == nullptr) continue;
+    Shared::OpenPort& port = shared.ports.emplace_back();
+    port.robot = def.name;
+    for (const DeviceDef& device : DefaultDevices()) {
+      auto made = MakeDevice(shared.context, *robot, device);
+      if (made != nullptr) port.devices.Add(std::move(made));
+    }
+    port.listener = std::make_shared<Listener>(io, [&shared, &port](tcp::socket socket) {
+      if (port.clients >= shared.options.most_clients) {
+        shared.warnings.Warn("more than {} Player clients of {}, one was refused",
+                             shared.options.most_clients, port.robot);
+        return;
+      }
+      const auto connection = std::make_shared<Connection>(shared, port, std::move(socket));
+      shared.connections.push_back(connection);
+      connection->Start();
+    });
+    try {
+      port.listener->Open(options.bind, next, false);
+    } catch (const Error& error) {
+      if (!options.may_be_taken) {
+        throw Error("Player's protocol: cannot listen on " + options.bind + " port " +
+                    std::to_string(next) + ", perhaps because another simulation runs there; " +
+                    "choose another with --player-port, or none with --no-player");
+      }
+      LogWarning(
+          "Player's protocol is not served: port {} of {} is taken, perhaps by another "
+          "simulation; choose another with --player-port",
+          next, options.bind);
+      server->Close();
+      return nullptr;
+    }
+    if (next != 0) ++next;
+  }
+  return server;
+}
+
+PlayerServer::~PlayerServer() { Close(); }
+
+std::vector<PlayerServer::Port> PlayerServer::ports() const {
+  std::vector<Port> ports;
+  for (const auto& port : shared_->ports) ports.push_back({port.listener->port(), port.robot});
+  return ports;
+}
+
+const DeviceList& PlayerServer::devices(std::size_t place) const {
+  return shared_->ports.at(place).devices;
+}
+
+void PlayerServer::Sensed() {
+  if (shared_->connections.empty()) return;
+  for (const auto& port : shared_->ports) {
+    for (const auto& device : port.devices.all()) {
+      if (device->subscribed()) device->Step();
+    }
+  }
+  shared_->DeliverPending();
+}
+
+int PlayerServer::ReadersEver() const { return shared_->readers_ever; }
+
+bool PlayerServer::HasReaders() const {
+  return std::any_of(shared_->connections.begin(), shared_->connections.end(),
+                     [](const auto& c) { return c->reads(); });
+}
+
+bool PlayerServer::ReadersAreWaiting() const {
+  return std::all_of(shared_->connections.begin(), shared_->connections.end(),
+                     [](const auto& c) { return !c->reads() || c->waits(); });
+}
+
+bool PlayerServer::HasClients() const { return !shared_->connections.empty(); }
+
+std::optional<PlayerServer::TimePoint> PlayerServer::WaitingSince() const {
+  std::optional<TimePoint> since;
+  for (const auto& connection : shared_->connections) {
+    if (!connection->waits()) continue;
+    since = since ? std::min(*since, connection->waits_since()) : connection->waits_since();
+  }
+  return since;
+}
+
+std::optional<PlayerServer::TimePoint> PlayerServer::LetHangingGo(TimePoint waiting_since,
+                                                                  Clock::duration limit) {
+  const auto now = Clock::now();
+  std::optional<TimePoint> next;
+  std::vector<std::shared_ptr<Connection>> hanging;
+  for (const auto& connection : shared_->connections) {
+    if (!connection->reads() || connection->waits()) continue;
+    const auto due = std::max(waiting_since, connection->heard()) + limit;
+    if (due <= now) {
+      hanging.push_back(connection);
+    } else {
+      next = next ? std::min(*next, due) : due;
+    }
+  }
+  for (const auto& connection : hanging) {
+    LogWarning("Player client {} has sent nothing for {:g} s while others wait: it is let go",
+               connection->name(), std::chrono::duration<double>(limit).count());
+    connection->Leave();
+  }
+  return next;
+}
+
+void PlayerServer::EndReads(const std::string& reason) {
+  shared_->ended = reason;
+  const auto connections = shared_->connections;
+  for (const auto& connection : connections) {
+    if (connection->waits()) connection->Leave();
+  }
+}
+
+void PlayerServer::Close() {
+  if (shared_->closed) return;
+  shared_->closed = true;
+  for (const auto& port : shared_->ports) port.listener->Close();
+  const auto connections = shared_->connections;
+  for (const auto& connection : connections) connection->Leave();
+  // Handlers of the closed sockets still refer to what is ours: let them run before it goes.
+  shared_->io.restart();
+  shared_->io.poll();
+}
+
+}  // namespace ccmorse::servers::player
