@@ -74,9 +74,9 @@ TEST_F(PlayerDevices, RingsAreSonarIrAndRangers) {
   const auto config = client_.Get<wire::RangerConfig>(wire::kRanger, 1, wire::kRangerReqGetConfig);
   EXPECT_NEAR(config.max_range, 5.0, 1e-9);
   EXPECT_NEAR(config.min_range, 0.05, 1e-9);
-  EXPECT_EQ(client_.Get<wire::RangerGeom>(wire::kRanger, 1, wire::kRangerReqGetGeom)
-                .element_poses.size(),
-            6U);
+  EXPECT_EQ(
+      client_.Get<wire::RangerGeom>(wire::kRanger, 1, wire::kRangerReqGetGeom).element_poses.size(),
+      6U);
 }
 
 TEST_F(PlayerDevices, BumpersCloseWhereTheRobotTouches) {
@@ -118,9 +118,8 @@ TEST_F(PlayerDevices, SimulationTellsAndSetsPosesByName) {
   EXPECT_NEAR(b.pose.pa, kPi / 2.0, 1e-12);
   asked.name = "box_7";
   EXPECT_NEAR(client_
-                  .Get<wire::SimulationPose2dReq>(wire::kSimulation, 0,
-                                                  wire::kSimulationReqGetPose2d,
-                                                  wire::Encode(asked))
+                  .Get<wire::SimulationPose2dReq>(
+                      wire::kSimulation, 0, wire::kSimulationReqGetPose2d, wire::Encode(asked))
                   .pose.px,
               3.1, 1e-12);
   EXPECT_EQ(Ask(wire::kSimulation, wire::kSimulationReqSetPose2d, asked), MessageType::kNack);
@@ -138,9 +137,8 @@ TEST_F(PlayerDevices, SimulationTellsAndSetsPosesByName) {
   client_.Send(MessageType::kCommand, wire::kSimulation, 0, wire::kSimulationCmdReset);
   asked.name = "b";
   EXPECT_NEAR(client_
-                  .Get<wire::SimulationPose2dReq>(wire::kSimulation, 0,
-                                                  wire::kSimulationReqGetPose2d,
-                                                  wire::Encode(asked))
+                  .Get<wire::SimulationPose2dReq>(
+                      wire::kSimulation, 0, wire::kSimulationReqGetPose2d, wire::Encode(asked))
                   .pose.py,
               3.0, 1e-12);
 }
@@ -241,8 +239,8 @@ TEST_F(PlayerDevices, TheMapIsTheWorldInDeflatedTiles) {
   EXPECT_EQ(Ask(wire::kMap, wire::kMapReqGetData, tile), MessageType::kNack);
   tile = {0, 0, 641, 1, 0, {}};
   EXPECT_EQ(Ask(wire::kMap, wire::kMapReqGetData, tile), MessageType::kNack);
-  EXPECT_EQ(
-      client_.Get<wire::MapDataVector>(wire::kMap, 0, wire::kMapReqGetVector).segments.size(), 4U);
+  EXPECT_EQ(client_.Get<wire::MapDataVector>(wire::kMap, 0, wire::kMapReqGetVector).segments.size(),
+            4U);
 }
 
 TEST_F(PlayerDevices, BlobsHaveTheScenesColours) {
@@ -269,8 +267,8 @@ TEST_F(PlayerDevices, FiducialsAreWhatIsSeenById) {
   EXPECT_EQ(data.fiducials[1].id, 1002);
   EXPECT_NEAR(data.fiducials[1].pose.py, 1.0, 1e-9);
   EXPECT_NEAR(data.fiducials[1].pose.pyaw, kPi / 2.0, 1e-9);
-  wire::FiducialFov view = client_.Get<wire::FiducialFov>(wire::kFiducial, 0,
-                                                          wire::kFiducialReqGetFov);
+  wire::FiducialFov view =
+      client_.Get<wire::FiducialFov>(wire::kFiducial, 0, wire::kFiducialReqGetFov);
   view.view_angle = 1.0;
   EXPECT_EQ(Ask(wire::kFiducial, wire::kFiducialReqSetFov, view), MessageType::kAck);
   data = Read<wire::FiducialData>(wire::kFiducial);
@@ -289,8 +287,7 @@ TEST_F(PlayerDevices, OpaqueHandsOnToAllClients) {
   other.Command(wire::kOpaque, 0, wire::kOpaqueCmdData, data);
   EXPECT_EQ(Read<wire::OpaqueData>(wire::kOpaque), data);
   EXPECT_EQ(other.Receive()->As<wire::OpaqueData>(), data);
-  EXPECT_EQ(other.RequestWith(wire::kOpaque, 0, wire::kOpaqueReqData, data)
-                .As<wire::OpaqueData>(),
+  EXPECT_EQ(other.RequestWith(wire::kOpaque, 0, wire::kOpaqueReqData, data).As<wire::OpaqueData>(),
             data);
 }
 

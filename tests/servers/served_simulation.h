@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "scene/scenario.h"
 #include "servers/record/recorder.h"
@@ -22,10 +24,11 @@ class ServedSimulation {
   explicit ServedSimulation(const std::string& scenario, Pace pace = Pace::kRealTime,
                             double seconds = 0.0, const MorseServerOptions& limits = {},
                             int clients = 1, const RecordOptions& record = {},
-                            double client_timeout = 10.0)
+                            double client_timeout = 10.0,
+                            std::vector<player::PortSetup> player = {})
       : simulation_(scene::ParseScenario(scenario, "test.json")),
         recorder_(simulation_, folder_.path() + "/run.mcap", record),
-        runner_(simulation_, Options(pace, seconds, limits, clients, client_timeout)),
+        runner_(simulation_, Options(pace, seconds, limits, clients, client_timeout, std::move(player))),
         port_(runner_.morse().port()),
         thread_([this] {
           runner_.AddWatcher(recorder_);
@@ -60,11 +63,12 @@ class ServedSimulation {
 
  private:
   static RunOptions Options(Pace pace, double seconds, MorseServerOptions limits, int clients,
-                            double client_timeout) {
+                            double client_timeout, std::vector<player::PortSetup> setup) {
     limits.port = 0;
     limits.first_stream_port = 0;
     player::PlayerServerOptions player;
     player.port = 0;
+    player.setup = std::move(setup);
     return {pace, 1.0, seconds, clients, limits, client_timeout, player};
   }
 

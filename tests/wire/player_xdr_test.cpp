@@ -285,7 +285,7 @@ TEST(PlayerXdr, CountsThatLieAreRefused) {
   ranges.ranges = {1.0, 2.0};
   const Bytes good = Encode(ranges);
   RangerDataRange back;
-  for (const std::size_t at : {3U, 7U}) {      // either count
+  for (const std::size_t at : {3U, 7U}) {  // either count
     for (const int count : {0, 1, 3, 255}) {
       Bytes bad = good;
       bad[at] = static_cast<std::uint8_t>(count);

@@ -28,6 +28,18 @@ constexpr auto kTurn = std::chrono::milliseconds(1);  // of one connection befor
 constexpr std::size_t kOnTheWay = 64U << 10;
 constexpr const char* kVersion = "3.1.0";  // Player's, whose protocol this is
 
+// A port for each robot, in the scenario's order.
+std::vector<PortSetup> DefaultSetup(const sim::Simulation& simulation, int first_port) {
+  std::vector<PortSetup> setups;
+  for (const scene::RobotDef& def : simulation.scenario().robots) {
+    PortSetup& setup = setups.emplace_back();
+    setup.port = first_port == 0 ? 0 : first_port + static_cast<int>(setups.size()) - 1;
+    setup.name = def.name;
+    for (const DeviceDef& device : DefaultDevices()) setup.devices.push_back({def.name, device});
+  }
+  return setups;
+}
+
 }  // namespace
 
 // What all connections use; it lives until the last handler of theirs has run.
@@ -42,6 +54,7 @@ struct PlayerServer::Shared {
   struct OpenPort {
     std::string robot;
     DeviceList devices;
+    std::vector<std::unique_ptr<Driver>> drivers;  // use the devices, so they go before them
     std::shared_ptr<Listener> listener;
     std::size_t clients = 0;
   };
@@ -203,15 +216,21 @@ std::unique_ptr<PlayerServer> PlayerServer::Open(asio::io_context& io, sim::Simu
   std::unique_ptr<PlayerServer> server(
       new PlayerServer(std::make_shared<Shared>(io, simulation, directory, options)));
   Shared& shared = *server->shared_;
-  int next = options.port;
-  for (const scene::RobotDef& def : simulation.scenario().robots) {
-    const sim::Robot* const robot = simulation.FindRobot(def.name);
-    if (robot == nullptr) continue;
+  for (const PortSetup& setup :
+       options.setup.empty() ? DefaultSetup(simulation, options.port) : options.setup) {
+    const int number = setup.port;
     Shared::OpenPort& port = shared.ports.emplace_back();
-    port.robot = def.name;
-    for (const DeviceDef& device : DefaultDevices()) {
+    port.robot = setup.name;
+    for (const auto& [name, device] : setup.devices) {
+      const sim::Robot* const robot = simulation.FindRobot(name);
+      if (robot == nullptr) throw Error("Player's devices: there is no robot '" + name + "'");
       auto made = MakeDevice(shared.context, *robot, device);
       if (made != nullptr) port.devices.Add(std::move(made));
+    }
+    for (const DriverDef& def : setup.drivers) {
+      auto driver = MakeDriver(def, shared.context, port.devices);
+      for (const auto& device : driver->provided()) port.devices.Add(device);
+      port.drivers.push_back(std::move(driver));
     }
     port.listener = std::make_shared<Listener>(io, [&shared, &port](tcp::socket socket) {
       if (port.clients >= shared.options.most_clients) {
@@ -224,21 +243,21 @@ std::unique_ptr<PlayerServer> PlayerServer::Open(asio::io_context& io, sim::Simu
       connection->Start();
     });
     try {
-      port.listener->Open(options.bind, next, false);
-    } catch (const Error& error) {
+      if (number > 65535) throw Error("there are no such ports");
+      port.listener->Open(options.bind, number, false);
+    } catch (const Error&) {
       if (!options.may_be_taken) {
         throw Error("Player's protocol: cannot listen on " + options.bind + " port " +
-                    std::to_string(next) + ", perhaps because another simulation runs there; " +
+                    std::to_string(number) + ", perhaps because another simulation runs there; " +
                     "choose another with --player-port, or none with --no-player");
       }
       LogWarning(
           "Player's protocol is not served: port {} of {} is taken, perhaps by another "
           "simulation; choose another with --player-port",
-          next, options.bind);
+          number, options.bind);
       server->Close();
       return nullptr;
     }
-    if (next != 0) ++next;
   }
   return server;
 }
@@ -260,6 +279,9 @@ void PlayerServer::Sensed() {
   for (const auto& port : shared_->ports) {
     for (const auto& device : port.devices.all()) {
       if (device->subscribed()) device->Step();
+    }
+    for (const auto& driver : port.drivers) {
+      if (driver->works()) driver->Step();
     }
   }
   shared_->DeliverPending();
@@ -321,7 +343,9 @@ void PlayerServer::EndReads(const std::string& reason) {
 void PlayerServer::Close() {
   if (shared_->closed) return;
   shared_->closed = true;
-  for (const auto& port : shared_->ports) port.listener->Close();
+  for (const auto& port : shared_->ports) {
+    if (port.listener != nullptr) port.listener->Close();
+  }
   const auto connections = shared_->connections;
   for (const auto& connection : connections) connection->Leave();
   // Handlers of the closed sockets still refer to what is ours: let them run before it goes.

@@ -10,6 +10,8 @@
 
 #include "servers/morse/service_directory.h"
 #include "servers/player/device.h"
+#include "servers/player/device_factory.h"
+#include "servers/player/drivers/driver.h"
 #include "servers/player/player_session.h"
 #include "servers/protocol_server.h"
 #include "sim/simulation.h"
@@ -17,6 +19,18 @@
 namespace ccmorse::servers::player {
 
 inline constexpr int kDefaultPort = 6665;
+
+/// What one port serves.
+struct PortSetup {
+  int port = kDefaultPort;  ///< 0: any free one
+  std::string name;         ///< for people: the robot's
+  struct OfRobot {
+    std::string robot;  ///< of the scenario; world devices ask for any
+    DeviceDef device;
+  };
+  std::vector<OfRobot> devices;
+  std::vector<DriverDef> drivers;  ///< each may require the devices of those before it
+};
 
 /// Where and within which limits Player's protocol is served. Beyond a limit the one connection
 /// that breaks it suffers, with a line in the log; the simulation goes on.
@@ -30,6 +44,8 @@ struct PlayerServerOptions {
   std::size_t most_clients = 256;       ///< connections to each port
   std::size_t most_unread = 16U << 20;  ///< bytes of replies a client may leave unread
   SessionLimits session = {};
+  /// What is served; where empty, a port for each robot with DefaultDevices().
+  std::vector<PortSetup> setup = {};
 };
 
 /// Player's TCP protocol for one simulation (specs: player.md B; docs/protocols/player.md): one
@@ -37,8 +53,8 @@ struct PlayerServerOptions {
 /// be the thread that advances the simulation; each handler is short.
 class PlayerServer : public ProtocolServer {
  public:
-  /// Listens. Throws Error that names the port when it is taken; nullptr when it may be. All
-  /// references outlive the server.
+  /// Listens. Throws Error that names the port when it is taken (nullptr when it may be), and for a
+  /// setup that cannot be. All references outlive the server.
   static std::unique_ptr<PlayerServer> Open(boost::asio::io_context& io,
                                             sim::Simulation& simulation,
                                             ServiceDirectory& directory,

@@ -25,7 +25,7 @@ class Bumper : public Device {
   DeviceContext context_;
   const sim::Robot& robot_;
   PublishRate rate_;
-  std::vector<sim::Footprint> sides_;             // as thin bars before them
+  std::vector<sim::Footprint> sides_;            // as thin bars before them
   std::vector<const sim::Obstacle*> obstacles_;  // scratch
 };
 

@@ -109,8 +109,8 @@ void Graphics2d::DrawPoints(Color color) {
 
 void Graphics2d::DrawLines(Color color, std::size_t every, bool closed) {
   const auto draw = [&](Vec2 a, Vec2 b) {
-    const std::array<Json, 7> line = {Json(CellOf(a.x)),   Json(CellOf(a.y)),   Json(CellOf(b.x)),
-                                      Json(CellOf(b.y)),   Json(int{color.r}), Json(int{color.g}),
+    const std::array<Json, 7> line = {Json(CellOf(a.x)), Json(CellOf(a.y)),  Json(CellOf(b.x)),
+                                      Json(CellOf(b.y)), Json(int{color.r}), Json(int{color.g}),
                                       Json(int{color.b})};
     context_.Run(pen_, "set_line", line);
   };

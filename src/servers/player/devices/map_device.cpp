@@ -11,8 +11,8 @@ namespace {
 
 using wire::MessageType;
 
-constexpr double kCell = 0.02;        // m
-constexpr double kMostCells = 2048.0;  // each way
+constexpr double kCell = 0.02;              // m
+constexpr double kMostCells = 2048.0;       // each way
 constexpr std::uint32_t kMostOfTile = 640;  // cells each way
 
 }  // namespace

@@ -11,10 +11,10 @@ namespace ccmorse::servers::player {
 
 /// An occupancy grid as map serves it. Row 0 is the lowest.
 struct GridMap {
-  double scale = 0.05;  ///< m, edge of a cell, > 0
-  int width = 0;        ///< cells
-  int height = 0;       ///< cells
-  wire::Pose2d origin;  ///< of the lower-left cell's corner in the world, m and rad
+  double scale = 0.05;             ///< m, edge of a cell, > 0
+  int width = 0;                   ///< cells
+  int height = 0;                  ///< cells
+  wire::Pose2d origin;             ///< of the lower-left cell's corner in the world, m and rad
   std::vector<std::int8_t> cells;  ///< (height x width): -1 free, 0 unknown, 1 occupied
 };
 

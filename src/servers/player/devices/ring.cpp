@@ -11,10 +11,9 @@ constexpr wire::Bbox3d kElementSize{0.01, 0.01, 0.01};  // m
 constexpr double kRangeStep = 0.001;                    // m, the resolution that is told
 
 Device::Capabilities CapabilitiesOf(std::uint16_t interface_code) {
-  static const Device::Capabilities kOfSonar = {
-      {MessageType::kData, wire::kSonarDataRanges},
-      {MessageType::kRequest, wire::kSonarReqGetGeom},
-      {MessageType::kRequest, wire::kSonarReqPower}};
+  static const Device::Capabilities kOfSonar = {{MessageType::kData, wire::kSonarDataRanges},
+                                                {MessageType::kRequest, wire::kSonarReqGetGeom},
+                                                {MessageType::kRequest, wire::kSonarReqPower}};
   static const Device::Capabilities kOfIr = {{MessageType::kData, wire::kIrDataRanges},
                                              {MessageType::kRequest, wire::kIrReqPose},
                                              {MessageType::kRequest, wire::kIrReqPower}};
@@ -123,8 +122,8 @@ std::vector<wire::Pose3d> Ring::Poses() const {
   std::vector<wire::Pose3d> poses;
   for (const Json& each : settings_.Find("poses")->AsArray()) {
     const Json::Array& pose = each.AsArray();
-    poses.push_back({pose[0].AsDouble(), pose[1].AsDouble(), pose[2].AsDouble(), 0.0, 0.0,
-                     pose[3].AsDouble()});
+    poses.push_back(
+        {pose[0].AsDouble(), pose[1].AsDouble(), pose[2].AsDouble(), 0.0, 0.0, pose[3].AsDouble()});
   }
   return poses;
 }

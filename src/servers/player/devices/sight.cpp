@@ -93,7 +93,8 @@ std::optional<Pose2> Sight::PoseOf(const sim::Surface& surface) const {
 
 Blobfinder::Blobfinder(DeviceContext context, const sim::Robot& robot, std::uint16_t index,
                        double frequency)
-    : Device(wire::kBlobfinder, index, "ccmorse", {{MessageType::kData, wire::kBlobfinderDataBlobs}}),
+    : Device(wire::kBlobfinder, index, "ccmorse",
+             {{MessageType::kData, wire::kBlobfinderDataBlobs}}),
       context_(context),
       robot_(robot),
       rate_(frequency) {}
@@ -115,7 +116,9 @@ void Blobfinder::Step() {
   data.height = kImageHeight;
   // Columns go from the left, beams from the right.
   for (std::size_t column = 0; column < hits.size();) {
-    const auto hit_at = [&](std::size_t i) -> const sim::RayHit& { return hits[hits.size() - 1 - i]; };
+    const auto hit_at = [&](std::size_t i) -> const sim::RayHit& {
+      return hits[hits.size() - 1 - i];
+    };
     const sim::Surface& first = hit_at(column).surface;
     if (first.kind == sim::HitKind::kNothing || first.kind == sim::HitKind::kFloor) {
       ++column;
@@ -180,7 +183,8 @@ void Fiducial::Step() {
     if (!pose || !seen.emplace(surface.kind, surface.object).second) continue;
     const Vec2 at = InverseTransform(robot_.pose(), {pose->x, pose->y});
     wire::FiducialItem item;
-    item.id = surface.kind == sim::HitKind::kRobot ? kFirstRobotId + surface.object : surface.object;
+    item.id =
+        surface.kind == sim::HitKind::kRobot ? kFirstRobotId + surface.object : surface.object;
     item.pose = {at.x, at.y, 0.0, 0.0, 0.0, NormalizeAngle(pose->yaw - robot_.pose().yaw)};
     data.fiducials.push_back(item);
   }

@@ -45,8 +45,7 @@ class Sight {
 /// which what is side by side and of one colour makes a blob.
 class Blobfinder : public Device {
  public:
-  Blobfinder(DeviceContext context, const sim::Robot& robot, std::uint16_t index,
-             double frequency);
+  Blobfinder(DeviceContext context, const sim::Robot& robot, std::uint16_t index, double frequency);
   void Step() override;
 
  private:

@@ -1,0 +1,100 @@
+#include "servers/player/drivers/driver.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace ccmorse::servers::player {
+
+const Json* DriverOptions::Find(std::string_view name) const {
+  for (const auto& [key, value] : values) {
+    if (key == name) return &value;
+  }
+  return nullptr;
+}
+
+double DriverOptions::Number(std::string_view name, double fallback) const {
+  const Json* const value = Find(name);
+  if (value == nullptr) return fallback;
+  if (!value->IsNumber()) throw Error("option '" + std::string(name) + "' must be a number");
+  return value->AsDouble();
+}
+
+double DriverOptions::Length(std::string_view name, double fallback) const {
+  return Find(name) == nullptr ? fallback : Number(name, 0.0) * length_unit;
+}
+
+double DriverOptions::Angle(std::string_view name, double fallback) const {
+  return Find(name) == nullptr ? fallback : Number(name, 0.0) * angle_unit;
+}
+
+std::string DriverOptions::Text(std::string_view name, const std::string& fallback) const {
+  const Json* const value = Find(name);
+  if (value == nullptr) return fallback;
+  if (!value->IsString()) throw Error("option '" + std::string(name) + "' must be a text");
+  return value->AsString();
+}
+
+Driver::Driver(const DriverDef& def, const DeviceList& devices) : def_(def), devices_(devices) {}
+
+Driver::~Driver() {
+  if (users_ == 0) return;
+  for (Device* const device : required_) device->Unsubscribe(*this);
+}
+
+Driver::Provided* Driver::Provide(std::uint16_t interface_code, Device::Capabilities capabilities,
+                                  std::string_view key) {
+  for (const DriverDevice& each : def_.provided) {
+    if (wire::InterfaceCode(each.interface_name) != interface_code) continue;
+    if (!key.empty() && each.key != key) continue;
+    auto device = std::make_shared<Provided>(
+        *this, interface_code, static_cast<std::uint16_t>(each.index), def_.name, capabilities);
+    provided_.push_back(device);
+    return device.get();
+  }
+  return nullptr;
+}
+
+Device* Driver::RequireIfGiven(std::uint16_t interface_code, std::string_view key) {
+  const DriverDevice* found = nullptr;
+  for (const DriverDevice& each : def_.required) {
+    if (wire::InterfaceCode(each.interface_name) != interface_code) continue;
+    if (found == nullptr ? key.empty() || each.key.empty() || each.key == key : each.key == key) {
+      found = &each;
+    }
+  }
+  if (found == nullptr) return nullptr;
+  Device* const device = devices_.Find(interface_code, static_cast<std::uint16_t>(found->index));
+  if (device == nullptr) {
+    throw Error("driver " + def_.name + ": there is no " + found->interface_name + ":" +
+                std::to_string(found->index) + ", which it requires");
+  }
+  if (std::find(required_.begin(), required_.end(), device) == required_.end()) {
+    required_.push_back(device);
+  }
+  return device;
+}
+
+Device& Driver::Require(std::uint16_t interface_code, std::string_view key) {
+  Device* const device = RequireIfGiven(interface_code, key);
+  if (device == nullptr) {
+    throw Error("driver " + def_.name + " requires a " +
+                std::string(wire::InterfaceName(interface_code)) +
+                (key.empty() ? "" : " \"" + std::string(key) + "\""));
+  }
+  return *device;
+}
+
+void Driver::UserCame() {
+  if (++users_ > 1) return;
+  for (Device* const device : required_) device->Subscribe(*this);
+  Started();
+}
+
+void Driver::UserLeft() {
+  if (--users_ > 0) return;
+  Stopped();
+  for (Device* const device : required_) device->Unsubscribe(*this);
+}
+
+}  // namespace ccmorse::servers::player

@@ -1,0 +1,44 @@
+#include <array>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "servers/player/drivers/driver.h"
+#include "servers/player/drivers/localization.h"
+#include "servers/player/drivers/range_converters.h"
+
+namespace ccmorse::servers::player {
+namespace {
+
+struct Maker {
+  const char* name;
+  std::unique_ptr<Driver> (*make)(const DriverDef&, const DeviceContext&, const DeviceList&);
+};
+
+template <typename Kind>
+std::unique_ptr<Driver> Make(const DriverDef& def, const DeviceContext& context,
+                             const DeviceList& devices) {
+  return std::make_unique<Kind>(def, context, devices);
+}
+
+constexpr std::array kMakers = {
+    Maker{"fakelocalize", &Make<FakeLocalize>},
+    Maker{"lasertoranger", &Make<LaserToRanger>},
+    Maker{"mapfile", &Make<MapFile>},
+    Maker{"rangertolaser", &Make<RangerToLaser>},
+};
+
+}  // namespace
+
+std::unique_ptr<Driver> MakeDriver(const DriverDef& def, const DeviceContext& context,
+                                   const DeviceList& devices) {
+  std::vector<std::string> known;
+  std::string list;
+  for (const Maker& maker : kMakers) {
+    if (def.name == maker.name) return maker.make(def, context, devices);
+    known.emplace_back(maker.name);
+    list += (list.empty() ? "" : ", ") + known.back();
+  }
+  throw Error("unknown driver '" + def.name + "', known: " + list + DidYouMean(def.name, known));
+}
+
+}  // namespace ccmorse::servers::player

@@ -1,0 +1,158 @@
+// Drivers of the server and set-ups other than the default (specs: player.md C.2, G).
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/image.h"
+#include "tests/servers/served_simulation.h"
+#include "tests/support/player_wire_client.h"
+#include "wire/player/deflate.h"
+
+namespace ccmorse::servers {
+namespace {
+
+namespace wire = ccmorse::wire::player;
+using player::DeviceDef;
+using player::DriverDef;
+using player::PortSetup;
+using testing::PlayerWireClient;
+using wire::MessageType;
+
+constexpr const char* kTwo = R"({"world": {"name": "hall", "size": [10, 10], "boxes": []},
+    "robots": [{"name": "a", "pose": {"x": 2, "y": 5, "yaw_deg": 0}},
+               {"name": "b", "pose": {"x": 5, "y": 5, "yaw_deg": 0}}]})";
+
+PortSetup PortOf(std::vector<PortSetup::OfRobot> devices, std::vector<DriverDef> drivers = {}) {
+  PortSetup setup;
+  setup.port = 0;
+  setup.name = "all";
+  setup.devices = std::move(devices);
+  setup.drivers = std::move(drivers);
+  return setup;
+}
+
+class PlayerDrivers : public ::testing::Test {
+ protected:
+  PlayerWireClient& Serve(const PortSetup& setup) {
+    served_.emplace(kTwo, Pace::kLockstep, 0.0, MorseServerOptions{}, 1, RecordOptions{}, 10.0,
+                    std::vector<PortSetup>{setup});
+    client_.emplace(served_->player_port());
+    client_->SetPull(true);
+    return *client_;
+  }
+  // The text that a set-up is refused with.
+  static std::string Complaint(const PortSetup& setup) {
+    sim::Simulation simulation(scene::ParseScenario(kTwo, "test.json"));
+    RunOptions options;
+    options.morse.port = 0;
+    options.morse.first_stream_port = 0;
+    options.player.emplace();
+    options.player->setup = {setup};
+    try {
+      const Runner runner(simulation, options);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::optional<ServedSimulation> served_;
+  std::optional<PlayerWireClient> client_;
+};
+
+TEST_F(PlayerDrivers, OnePortServesSeveralRobotsByIndex) {
+  DeviceDef second{"position2d", 1};
+  auto& client = Serve(PortOf({{"a", {"position2d", 0}}, {"b", second}}));
+  client.Subscribe(wire::kPosition2d, 1);
+  wire::Position2dCmdVel ahead;
+  ahead.vel = {0.3, 0.0, 0.0};
+  client.Command(wire::kPosition2d, 1, wire::kPosition2dCmdVel, ahead);
+  EXPECT_NEAR(client.ReadUntil(wire::kPosition2d, 1).As<wire::Position2dData>().pos.px, 0.03, 1e-9);
+  EXPECT_NEAR(served_->simulation().robots()[1]->pose().x, 5.03, 1e-9);
+}
+
+TEST_F(PlayerDrivers, RangertolaserGivesTheRangersScanAsALaser) {
+  auto& client = Serve(
+      PortOf({{"a", {"ranger", 0}}}, {{"rangertolaser", {{"", "laser", 0}}, {{"", "ranger", 0}}}}));
+  EXPECT_EQ(client.Subscribe(wire::kLaser, 0), "rangertolaser");
+  client.Subscribe(wire::kRanger, 0);
+  const auto round = client.Read();
+  ASSERT_EQ(round.size(), 3U);
+  const auto ranger = round[1].header.address.interf == wire::kRanger ? round[1] : round[0];
+  const auto laser = round[1].header.address.interf == wire::kRanger ? round[0] : round[1];
+  const auto scan = laser.As<wire::LaserData>();
+  const auto ranges = ranger.As<wire::RangerDataRange>().ranges;
+  EXPECT_EQ(laser.header.time, ranger.header.time);
+  ASSERT_EQ(scan.ranges.size(), ranges.size());
+  EXPECT_EQ(static_cast<float>(scan.ranges[17]), static_cast<float>(ranges[17]));
+  EXPECT_NEAR(scan.resolution, 0.39589 * 3.14159265 / 180.0, 1e-7);
+  EXPECT_EQ(client.Get<wire::LaserGeom>(wire::kLaser, 0, wire::kLaserReqGetGeom).pose.px, 0.035);
+}
+
+TEST_F(PlayerDrivers, LasertorangerGivesTheLasersScanAsARanger) {
+  auto& client = Serve(
+      PortOf({{"a", {"laser", 0}}}, {{"lasertoranger", {{"", "ranger", 3}}, {{"", "laser", 0}}}}));
+  client.Subscribe(wire::kRanger, 3);
+  EXPECT_EQ(client.ReadUntil(wire::kRanger, 3).As<wire::RangerDataRange>().ranges.size(), 682U);
+  EXPECT_NEAR(client.Get<wire::RangerConfig>(wire::kRanger, 3, wire::kRangerReqGetConfig).max_range,
+              5.0, 1e-9);
+}
+
+TEST_F(PlayerDrivers, FakelocalizeKnowsTheTruePose) {
+  DriverDef fake{
+      "fakelocalize", {{"", "localize", 0}, {"", "position2d", 5}}, {{"", "simulation", 0}}};
+  fake.options.values = {{"model", Json("b")}};
+  auto& client = Serve(PortOf({{"a", {"simulation", 0}}}, {fake}));
+  client.Subscribe(wire::kLocalize, 0);
+  client.Subscribe(wire::kPosition2d, 5);
+  const auto data = client.ReadUntil(wire::kLocalize, 0).As<wire::LocalizeData>();
+  ASSERT_EQ(data.hypoths.size(), 1U);
+  EXPECT_EQ(data.hypoths[0].mean, (wire::Pose2d{5.0, 5.0, 0.0}));
+  EXPECT_EQ(data.hypoths[0].alpha, 1.0);
+  EXPECT_EQ(client.ReadUntil(wire::kPosition2d, 5).As<wire::Position2dData>().pos.px, 5.0);
+  const auto particles =
+      client.Get<wire::LocalizeGetParticles>(wire::kLocalize, 0, wire::kLocalizeReqGetParticles);
+  EXPECT_EQ(particles.particles.size(), 1U);
+}
+
+TEST_F(PlayerDrivers, MapfileServesAPicture) {
+  const testing::TemporaryFile file(".png", "");
+  Image image{3, 2, std::vector<Color>(6, Color{255, 255, 255})};
+  image.pixels[0] = {0, 0, 0};        // top left
+  image.pixels[4] = {128, 128, 128};  // bottom middle
+  WritePng(image, file.path());
+  DriverDef map{"mapfile", {{"", "map", 0}}, {}};
+  map.options.values = {{"filename", Json(file.path())},
+                        {"resolution", Json(50.0)},
+                        {"origin", Json(Json::Array{Json(100.0), Json(-200.0)})}};
+  map.options.length_unit = 0.01;
+  auto& client = Serve(PortOf({}, {map}));
+  const auto info = client.Get<wire::MapInfo>(wire::kMap, 0, wire::kMapReqGetInfo);
+  EXPECT_EQ(info.width, 3U);
+  EXPECT_EQ(info.height, 2U);
+  EXPECT_NEAR(info.scale, 0.5, 1e-7);
+  EXPECT_EQ(info.origin, (wire::Pose2d{1.0, -2.0, 0.0}));
+  const wire::MapData tile{0, 0, 3, 2, 0, {}};
+  const auto reply =
+      client.Get<wire::MapData>(wire::kMap, 0, wire::kMapReqGetData, wire::Encode(tile));
+  const auto cells = wire::Inflate(reply.data, 6);
+  ASSERT_TRUE(cells);
+  EXPECT_EQ(*cells, (wire::Bytes{255, 0, 255, 1, 255, 255}));  // lowest row first
+}
+
+TEST_F(PlayerDrivers, SetUpsThatCannotBeAreRefusedByName) {
+  EXPECT_NE(Complaint(PortOf({{"c", {"laser", 0}}})).find("no robot 'c'"), std::string::npos);
+  EXPECT_NE(Complaint(PortOf({{"a", {"limb", 0}}})).find("'limb'"), std::string::npos);
+  EXPECT_NE(Complaint(PortOf({{"a", {"laser", 0}}, {"b", {"laser", 0}}})).find("laser:0"),
+            std::string::npos);
+  EXPECT_NE(Complaint(PortOf({}, {{"rangertolazer", {}, {}}})).find("rangertolaser"),
+            std::string::npos);
+  EXPECT_NE(Complaint(PortOf({}, {{"rangertolaser", {{"", "laser", 0}}, {{"", "ranger", 0}}}}))
+                .find("no ranger:0"),
+            std::string::npos);
+  EXPECT_NE(Complaint(PortOf({}, {{"rangertolaser", {{"", "laser", 0}}, {}}})).find("requires"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace ccmorse::servers
