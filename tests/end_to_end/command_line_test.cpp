@@ -189,6 +189,36 @@ TEST(CommandLine, BenchAllMeasuresItsRows) {
   EXPECT_EQ(fleets, 6);
 }
 
+const std::string kWorlds = CCMORSE_SOURCE_DIR "/tests/worlds/";
+
+TEST(CommandLine, AWorldOfStageAndACfgOfPlayerRun) {
+  for (const char* const file : {"hall.world", "course.cfg"}) {
+    const Finished run = RunScenario(kWorlds + file);
+    EXPECT_EQ(run.status, 0) << run.output;
+    EXPECT_NE(run.output.find("\nr0 "), std::string::npos) << run.output;
+  }
+}
+
+TEST(CommandLine, WhatAWorldHasAndCcmorseHasNotIsNamed) {
+  const Finished run = RunScenario(kWorlds + "devices.cfg");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.output.find("devices.world:11: fiducial"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("devices.cfg:6: gripper:0"), std::string::npos) << run.output;
+}
+
+TEST(CommandLine, AConvertedWorldRunsTheSame) {
+  const TemporaryFile scene(".json", "");
+  const Finished converted =
+      RunToEnd({kCcmorse, "convert", kWorlds + "fleet.cfg", "-o", scene.path()});
+  EXPECT_EQ(converted.status, 0) << converted.output;
+  const auto hash = [](const Finished& run) {
+    const std::size_t at = run.output.find("state hash");
+    return at == std::string::npos ? run.output : run.output.substr(at, 29);
+  };
+  EXPECT_EQ(hash(RunScenario(scene.path())), hash(RunScenario(kWorlds + "fleet.cfg")));
+  ExpectOneLine(RunToEnd({kCcmorse, "convert", "no.world"}), {"no.world"});
+}
+
 TEST(W11, ThirteenRobotsRunFromTheirDocks) { EXPECT_EQ(RunScenario("docks").status, 0); }
 
 TEST(CommandLine, EveryListedScenarioRuns) {
