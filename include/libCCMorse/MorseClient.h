@@ -146,7 +146,6 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
 
  private:
   friend class MorseDevice;
-  friend class MorseProxy;
   friend class MorseRobot;
   struct Impl;
   MorseClient(const std::string& host, int port);

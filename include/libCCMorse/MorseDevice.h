@@ -121,7 +121,6 @@ class MorseDevice {
 
  private:
   friend class MorseClient;
-  friend class MorseProxy;
   void StartUse() const;
   void Accept(const MorseValue& data);  // DataMutex() held
   void AcceptNumbers(double timestamp, const double* numbers, std::size_t count);  // the same

@@ -27,6 +27,8 @@ class MorseLaser : public MorseSensor {
   std::size_t GetCount() const;
   /// All ranges of the last scan, m; a beam without return has the highest range.
   std::vector<double> GetRanges() const;
+  /// The same into `ranges`, which keeps its memory.
+  void CopyRanges(std::vector<double>& ranges) const;
   /// Range of beam `index`, m. Throws MorseError when there is no such beam.
   double GetRange(std::size_t index) const;
   /// Bearing of beam `index`, rad, whether or not the last scan has that many.
@@ -50,7 +52,7 @@ class MorseLaser : public MorseSensor {
   double resolution_ = 0.0;
   double scan_window_ = 0.0;
   double frequency_ = 0.0;
-  player_pose3d_t mounting_;
+  player_pose3d_t mounting_{};
   std::vector<double> ranges_;
 };
 

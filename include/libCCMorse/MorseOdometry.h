@@ -31,8 +31,8 @@ class MorseOdometry : public MorseSensor {
   bool OnNumbers(const double* numbers, std::size_t count) override;
 
  private:
-  player_pose3d_t pose_;
-  player_pose3d_t speed_;
+  player_pose3d_t pose_{};
+  player_pose3d_t speed_{};
   bool stall_ = false;
 };
 

@@ -27,7 +27,7 @@ class MorsePose : public MorseSensor, public MorsePoseSource {
   bool OnNumbers(const double* numbers, std::size_t count) override;
 
  private:
-  player_pose3d_t pose_;
+  player_pose3d_t pose_{};
 };
 
 }  // namespace CCMorse

@@ -9,10 +9,17 @@
 #include "libCCMorse/MorseError.h"
 #include "libCCMorse/Types.h"
 
+namespace PlayerCc {
+class ClientProxy;
+}
+
 namespace CCMorse {
 
+namespace playerlink {
+class MorseLink;
+}
+
 class MorseProperties;
-class MorseProxy;
 struct MorseSubscription;
 
 /// A robot of the simulation: its devices, the proxies that use them, and methods for the robot as
@@ -50,7 +57,7 @@ class MorseRobot {
   }
 
   /// The proxies that live on this robot, in the order in which they were made (thesis 3.1.1).
-  std::vector<MorseProxy*> GetProxies() const;
+  std::vector<PlayerCc::ClientProxy*> GetProxies() const;
 
   /// The robot's configuration (thesis 3.2), a MorseProperties: include MorseProperties.h or
   /// CCMorse.h. Throws MorseError when the robot carries no RobotProperties sensor.
@@ -89,7 +96,7 @@ class MorseRobot {
 
  private:
   friend class MorseClient;
-  friend class MorseProxy;
+  friend class playerlink::MorseLink;
   [[noreturn]] void ThrowNoDevice(const std::string& name) const;
   double Property(const char* key, const char* function) const;
   double PropertyOr(const char* key, double fallback) const;

@@ -312,7 +312,9 @@ TEST_F(L306, ADriverRunsInAThreadOfItsOwn) {
 
 TEST_F(L308, PlayerClientRedirectsToTheMorseClient) {
   EXPECT_EQ(&client.GetMorseClient(), &MorseClient::GetInstance());
-  EXPECT_EQ(sizeof(PlayerClient), sizeof(std::shared_ptr<MorseClient>));  // no state of its own
+  // No state of its own: it is Player's client over the MorseClient.
+  EXPECT_TRUE((std::is_base_of_v<PlayerCc::PlayerClient, PlayerClient>));
+  EXPECT_EQ(sizeof(PlayerClient), sizeof(PlayerCc::PlayerClient));
   server.ClearLines();
   client.Read();
   EXPECT_EQ(server.Count("ccmorse read"), 1U);

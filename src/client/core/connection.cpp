@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <cerrno>
@@ -15,7 +14,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
-#include <future>
 #include <mutex>
 #include <string_view>
 #include <system_error>
@@ -23,6 +21,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "client/core/tcp_connect.h"
 #include "libCCMorse/MorseError.h"
 #include "wire/fast_link.h"
 
@@ -58,36 +57,6 @@ Clock::duration Seconds(double seconds) {
   throw MorseError("cannot connect to " + address + ": " + reason +
                        "; is the simulator running? (ccmorse listens on port 4000 by default)",
                    kConnectFunction);
-}
-
-// The system's look-up of names has no time limit, so it runs in a thread that may be left behind.
-std::vector<tcp::endpoint> Resolve(const std::string& host, int port, const std::string& address) {
-  if (host == "localhost") {  // always this machine (RFC 6761), known to its resolver or not
-    const auto number = static_cast<std::uint16_t>(port);
-    return {{asio::ip::address_v4::loopback(), number}, {asio::ip::address_v6::loopback(), number}};
-  }
-  struct Answer {
-    ErrorCode error;
-    std::vector<tcp::endpoint> endpoints;
-  };
-  auto promise = std::make_shared<std::promise<Answer>>();
-  std::future<Answer> future = promise->get_future();
-  std::thread([promise, host, port] {
-    Answer answer;
-    asio::io_context io;
-    tcp::resolver resolver(io);
-    for (const auto& entry : resolver.resolve(host, std::to_string(port), answer.error)) {
-      answer.endpoints.push_back(entry.endpoint());
-    }
-    promise->set_value(std::move(answer));
-  }).detach();
-  if (future.wait_for(kConnectLimit) != std::future_status::ready) {
-    ThrowConnect(address, "the host name was not resolved in time");
-  }
-  Answer answer = future.get();
-  if (answer.error) ThrowConnect(address, answer.error.message());
-  if (answer.endpoints.empty()) ThrowConnect(address, "the host has no address");
-  return std::move(answer.endpoints);
 }
 
 std::string_view NextToken(std::string_view& line) {
@@ -128,22 +97,13 @@ struct Connection::Impl {
       throw MorseError("cannot connect to " + address + ": a port is a number from 1 to 65535",
                        kConnectFunction);
     }
-    const auto deadline = Clock::now() + kConnectLimit;
-    const std::vector<tcp::endpoint> endpoints = Resolve(host, port, address);
-    ErrorCode outcome = asio::error::would_block;
-    asio::async_connect(socket, endpoints,
-                        [&outcome](const ErrorCode& ec, const tcp::endpoint&) { outcome = ec; });
-    io.run_until(deadline);
-    if (outcome == asio::error::would_block) {
-      ErrorCode ignored;
-      socket.close(ignored);
-      io.restart();
-      io.run();  // the cancelled connect still refers to `outcome`
-      ThrowConnect(address, "no answer within 2 s");
+    if (const std::string reason = ConnectTcp(io, socket, host, port, kConnectLimit);
+        !reason.empty()) {
+      ThrowConnect(address, reason);
     }
-    if (outcome) ThrowConnect(address, outcome.message());
     // Without it, the kernel holds small requests back for up to 40 ms.
-    socket.set_option(tcp::no_delay(true), outcome);
+    ErrorCode ignored;
+    socket.set_option(tcp::no_delay(true), ignored);
     handle = socket.native_handle();
     wake_handle = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
     if (wake_handle < 0) ThrowConnect(address, SystemText(errno));
@@ -335,7 +295,10 @@ struct Connection::Impl {
     if (end == std::string_view::npos) {
       last_heard = Clock::now();  // a long line is on its way
       incoming.append(bytes);
-      if (incoming.size() > kMaxLine) {
+      if (incoming.starts_with(kPlayerGreeting)) {
+        ::shutdown(handle, SHUT_RDWR);
+        Fail(address + std::string(kPlayerServerThere));
+      } else if (incoming.size() > kMaxLine) {
         ::shutdown(handle, SHUT_RDWR);
         Fail("the simulator at " + address + " sent a line longer than " +
              std::to_string(kMaxLine >> 20) + " MiB");

@@ -21,6 +21,7 @@
 #include "client/core/subscription.h"
 #include "libCCMorse/MorseClient.h"
 #include "wire/fast_link.h"
+#include "wire/player/frame.h"
 
 namespace CCMorse {
 
@@ -38,8 +39,6 @@ constexpr double kRequestTimeout = 5.0;    // s, Player's default
 constexpr double kCloseTimeout = 0.5;      // s for the last commands
 constexpr char kReadFunction[] = "MorseClient::Read()";
 
-// Player's interface codes that the library has proxies for.
-constexpr std::pair<const char*, int> kInterfaces[] = {{"position2d", 4}, {"laser", 6}};
 constexpr int kUnknownInterface = 0xFFFF;
 
 /// The clients in being. A client that only PlayerClients use is kept by them; one that was asked
@@ -149,6 +148,7 @@ struct MorseClient::Impl {
 
   std::mutex read_mutex;              // held for a whole Read()
   std::shared_ptr<Round> unfinished;  // under read_mutex: a Read() that was abandoned
+  std::vector<std::shared_ptr<MorseSubscription>> deliveries;  // under read_mutex: scratch
   // Of a fast link, under read_mutex.
   std::shared_ptr<Round> fast_round;
   std::vector<wire::DataForm> forms;  // of the devices, as the server knows them
@@ -175,7 +175,7 @@ struct MorseClient::Impl {
 
   // --- The two ways to read; the read_mutex is held.
 
-  using Signals = std::vector<std::function<void()>>;
+  using Due = std::vector<std::shared_ptr<MorseSubscription>>;
 
   // JSON: one query a device.
   std::shared_ptr<Round> SendQueries() {
@@ -197,7 +197,7 @@ struct MorseClient::Impl {
     return round;
   }
 
-  void TakeAnswers(const Round& round, std::optional<MorseError>& error, Signals& signals) {
+  void TakeAnswers(const Round& round, std::optional<MorseError>& error, Due& due) {
     // The texts are parsed before the data are locked.
     const std::vector<Reply>& replies = round.batch->replies;
     const std::size_t first = ccmorse ? 1 : 0;
@@ -225,7 +225,7 @@ struct MorseClient::Impl {
         now = std::fmax(now, round.devices[i]->timestamp_);
       }
     }
-    Refresh(now, signals);
+    Refresh(now, due);
   }
 
   // The fast link: what has changed in the subscriptions, and a read.
@@ -260,7 +260,7 @@ struct MorseClient::Impl {
     return static_cast<wire::DataForm>(device.Form());
   }
 
-  void TakeFastData(const Round& round, std::optional<MorseError>& error, Signals& signals) {
+  void TakeFastData(const Round& round, std::optional<MorseError>& error, Due& due) {
     const Batch& batch = *round.batch;
     if (batch.read_failed) {
       error.emplace(ReadError(batch.data));
@@ -287,26 +287,15 @@ struct MorseClient::Impl {
         device.AcceptNumbers(entry.timestamp, numbers.data(), numbers.size());
       }
     }
-    Refresh(reader.ok() ? now : std::numeric_limits<double>::quiet_NaN(), signals);
+    Refresh(reader.ok() ? now : std::numeric_limits<double>::quiet_NaN(), due);
   }
 
-  // Time, and the flags of the proxies, after new data; data_mutex held.
-  void Refresh(double now, Signals& signals) {
+  // Time, and which subscriptions have data to deliver, after new data; data_mutex held.
+  void Refresh(double now, Due& due) {
     if (std::isfinite(now)) time = now;
     for (const auto& robot : robots) {
       for (const auto& subscription : robot->subscriptions_) {
-        const MorseDevice& device = *subscription->device;
-        if (!device.has_data_) continue;
-        subscription->valid = device.valid_;
-        if (!device.valid_ || !(device.timestamp_ > subscription->time)) continue;
-        // The first data count from time 0, as in Player.
-        subscription->elapsed =
-            device.timestamp_ - (std::isfinite(subscription->time) ? subscription->time : 0.0);
-        subscription->time = device.timestamp_;
-        subscription->fresh = true;
-        for (const auto& [id, subscriber] : subscription->subscribers) {
-          signals.push_back(subscriber);
-        }
+        if (subscription->device->has_data_) due.push_back(subscription);
       }
     }
   }
@@ -506,16 +495,20 @@ void MorseClient::ReadOnce(bool may_abandon) {
   }
 
   std::optional<MorseError> error;
-  std::vector<std::function<void()>> signals;
+  Impl::Due& due = impl.deliveries;
+  due.clear();
   if (fast) {
-    impl.TakeFastData(*round, error, signals);
+    impl.TakeFastData(*round, error, due);
   } else {
-    impl.TakeAnswers(*round, error, signals);
+    impl.TakeAnswers(*round, error, due);
   }
+  std::erase_if(due, [](const auto& subscription) { return !subscription->deliver(); });
+  const Impl::Due signalled = due;
+  due.clear();
   leave(true);
   const std::optional<core::Refusal> refusal = impl.connection.TakeRefusal();
   read_lock.unlock();
-  for (const auto& subscriber : signals) subscriber();
+  for (const auto& subscription : signalled) subscription->signal();
 
   if (!error && refusal) {
     error.emplace("the simulator refused " + refusal->component + " " + refusal->service + ": " +
@@ -661,7 +654,7 @@ std::list<playerc_device_info_t> MorseClient::GetDeviceList() const {
       for (const std::string& interface : proxies.GetKeys()) {
         const MorseValue indexes = proxies.Member(interface);
         for (const std::string& index : indexes.GetKeys()) {
-          playerc_device_info_t info;
+          playerc_device_info_t info{};
           info.addr.robot = GetPort();
           info.addr.interf = static_cast<std::uint16_t>(LookupCode(interface));
           info.addr.index = static_cast<std::uint16_t>(std::strtoul(index.c_str(), nullptr, 10));
@@ -676,17 +669,12 @@ std::list<playerc_device_info_t> MorseClient::GetDeviceList() const {
 }
 
 int MorseClient::LookupCode(const std::string& name) const {
-  for (const auto& [known, code] : kInterfaces) {
-    if (name == known) return code;
-  }
-  return kUnknownInterface;
+  return wire::player::InterfaceCode(name).value_or(kUnknownInterface);
 }
 
 std::string MorseClient::LookupName(int code) const {
-  for (const auto& [name, known] : kInterfaces) {
-    if (code == known) return name;
-  }
-  return "unknown";
+  const std::string_view name = wire::player::InterfaceName(static_cast<std::uint16_t>(code));
+  return code < 0 || code > 0xFFFF || name.empty() ? "unknown" : std::string(name);
 }
 
 std::uint32_t MorseClient::GetOverflowCount() { return 0; }

@@ -47,9 +47,9 @@ void MorseRobot::ThrowNoDevice(const std::string& name) const {
       "MorseRobot::GetDevice()");
 }
 
-std::vector<MorseProxy*> MorseRobot::GetProxies() const {
+std::vector<PlayerCc::ClientProxy*> MorseRobot::GetProxies() const {
   const std::lock_guard lock(client_.DataMutex());
-  std::vector<MorseProxy*> proxies;
+  std::vector<PlayerCc::ClientProxy*> proxies;
   for (const auto& subscription : subscriptions_) proxies.push_back(subscription->proxy);
   return proxies;
 }
@@ -133,7 +133,7 @@ double MorseRobot::GetWeight() const { return Property("mass", "MorseRobot::GetW
 
 player_bbox3d_t MorseRobot::GetSize() const {
   constexpr char kFunction[] = "MorseRobot::GetSize()";
-  player_bbox3d_t size;
+  player_bbox3d_t size{};
   size.sl = Property("size.0", kFunction);
   size.sw = Property("size.1", kFunction);
   size.sh = Property("size.2", kFunction);

@@ -73,6 +73,12 @@ std::vector<double> MorseLaser::GetRanges() const {
   return ranges_;
 }
 
+void MorseLaser::CopyRanges(std::vector<double>& ranges) const {
+  Use();
+  const std::lock_guard lock(DataMutex());
+  ranges = ranges_;
+}
+
 double MorseLaser::GetRange(std::size_t index) const {
   Use();
   const std::lock_guard lock(DataMutex());

@@ -3,6 +3,7 @@
 #include "client/player/proxy_lookup.h"
 #include "libCCMorse/MorseDriver.h"
 #include "libCCMorse/MorseProperties.h"
+#include "libCCMorse/PlayerClient.h"
 
 namespace CCMorse {
 

@@ -1,46 +1,159 @@
+#include <chrono>
+#include <string_view>
+
+#include "client/core/address.h"
+#include "client/core/tcp_connect.h"
+#include "client/core/tcp_stream.h"
+#include "client/player/morse_backend.h"
+#include "client/player/player_wire_backend.h"
+#include "client/player/proxy_state.h"
 #include "libCCMorse/MorseClient.h"
 #include "libCCMorse/PlayerClient.h"
+#include "libplayerc++/playerc++.h"
+#include "wire/player/frame.h"
+
+namespace CCMorse::playerlink {
+
+namespace {
+
+constexpr char kConstructor[] = "PlayerClient::PlayerClient()";
+constexpr auto kConnectLimit = std::chrono::seconds(5);
+// A Player server speaks at once, a simulator when it is spoken to.
+constexpr auto kGreetingLimit = std::chrono::milliseconds(200);
+constexpr int kMorsePort = 4000;
+
+struct Location {
+  std::string scheme;  // "morse", "player", or none
+  std::string host;
+  int port;
+};
+
+// "player://host:6665", "morse://host", "host".
+Location Parse(const std::string& address, std::uint32_t port) {
+  Location location{"", address, static_cast<int>(port)};
+  const std::size_t mark = address.find("://");
+  if (mark == std::string::npos) return location;
+  location.scheme = address.substr(0, mark);
+  location.host = address.substr(mark + 3);
+  if (location.scheme != "morse" && location.scheme != "player") {
+    throw MorseError("an address begins with morse:// or player://, not " + location.scheme + "://",
+                     kConstructor);
+  }
+  while (!location.host.empty() && location.host.back() == '/') location.host.pop_back();
+  const std::size_t colon = location.host.rfind(':');
+  if (colon == std::string::npos) {
+    if (location.scheme == "morse" && port == PlayerCc::PLAYER_PORTNUM) location.port = kMorsePort;
+    return location;
+  }
+  const std::string digits = location.host.substr(colon + 1);
+  if (digits.empty() || digits.size() > 5 ||
+      digits.find_first_not_of("0123456789") != std::string::npos) {
+    throw MorseError("there is no port in " + address, kConstructor);
+  }
+  location.port = std::stoi(digits);
+  location.host.resize(colon);
+  return location;
+}
+
+}  // namespace
+
+std::unique_ptr<PlayerBackend> OpenBackend(const std::string& address, std::uint32_t port,
+                                           bool simulator) {
+  const Location asked = Parse(address, port);
+  if (asked.scheme == "morse") return OpenSimulator(asked.host, asked.port);
+  if (asked.scheme == "player") {
+    return OpenPlayerServer(asked.host, static_cast<std::uint32_t>(asked.port));
+  }
+  const auto [host, number] = core::AddressFor(asked.host, asked.port);
+  const bool here = host == "localhost" || host == "127.0.0.1";
+  if (here && (simulator || number == kMorsePort)) {
+    try {
+      return OpenSimulator(host, number);
+    } catch (const MorseError& error) {
+      if (!error.GetErrorStr().ends_with(core::kPlayerServerThere)) throw;
+      return OpenPlayerServer(host, static_cast<std::uint32_t>(number));
+    }
+  }
+  if (number < 1 || number > 65535) {
+    throw MorseError("a port is a number from 1 to 65535", kConstructor);
+  }
+  auto stream = std::make_shared<core::TcpStream>(host, number, kConnectLimit, kConstructor);
+  std::string received;
+  const auto deadline = std::chrono::steady_clock::now() + kGreetingLimit;
+  while (received.size() < core::kPlayerGreeting.size() &&
+         stream->WaitFor(deadline) == core::TcpStream::Wait::kReady && stream->Receive(received)) {
+  }
+  if (received.starts_with(core::kPlayerGreeting)) {
+    return OpenPlayerServer(host, static_cast<std::uint32_t>(number), std::move(stream), received);
+  }
+  stream.reset();
+  return OpenSimulator(host, number);
+}
+
+}  // namespace CCMorse::playerlink
+
+namespace PlayerCc {
+
+PlayerClient::PlayerClient(const std::string& hostname, std::uint32_t port, int transport) {
+  if (transport != PLAYERC_TRANSPORT_TCP) {
+    throw MorseError("only TCP is supported", "PlayerClient::PlayerClient()");
+  }
+  core_ = std::make_shared<ClientCore>(CCMorse::playerlink::OpenBackend(hostname, port, false));
+}
+
+PlayerClient::PlayerClient(const std::string& hostname, std::uint32_t port, bool simulator)
+    : core_(std::make_shared<ClientCore>(
+          CCMorse::playerlink::OpenBackend(hostname, port, simulator))) {}
+
+PlayerClient::~PlayerClient() { core_->backend->Close(); }
+
+bool PlayerClient::Connected() { return core_->backend->Connected(); }
+void PlayerClient::StartThread() { core_->backend->StartThread(); }
+void PlayerClient::StopThread() { core_->backend->StopThread(); }
+void PlayerClient::Run(std::uint32_t timeout) { core_->backend->Run(timeout); }
+void PlayerClient::Stop() { core_->backend->Stop(); }
+bool PlayerClient::Peek(std::uint32_t timeout) { return core_->backend->Peek(timeout); }
+void PlayerClient::SetRequestTimeout(std::uint32_t seconds) {
+  core_->backend->SetRequestTimeout(seconds);
+}
+void PlayerClient::SetRetryLimit(int limit) { core_->backend->SetRetryLimit(limit); }
+int PlayerClient::GetRetryLimit() { return core_->backend->GetRetryLimit(); }
+void PlayerClient::SetRetryTime(double time) { core_->backend->SetRetryTime(time); }
+double PlayerClient::GetRetryTime() { return core_->backend->GetRetryTime(); }
+void PlayerClient::Read() { core_->backend->Read(); }
+void PlayerClient::ReadIfWaiting() {
+  if (Peek(0)) Read();
+}
+void PlayerClient::SetDataMode(std::uint32_t mode) { core_->backend->SetDataMode(mode); }
+void PlayerClient::SetReplaceRule(bool replace, int type, int subtype, int interf) {
+  core_->backend->SetReplaceRule(replace, type, subtype, interf);
+}
+void PlayerClient::RequestDeviceList() { core_->backend->RequestDeviceList(); }
+std::list<playerc_device_info_t> PlayerClient::GetDeviceList() {
+  return core_->backend->GetDeviceList();
+}
+std::string PlayerClient::GetHostname() const { return core_->backend->GetHostname(); }
+std::uint32_t PlayerClient::GetPort() const { return core_->backend->GetPort(); }
+int PlayerClient::LookupCode(std::string name) const { return str_to_interf(name.c_str()); }
+std::string PlayerClient::LookupName(int code) const {
+  return code < 0 || code > 0xFFFF ? "unknown" : interf_to_str(static_cast<std::uint16_t>(code));
+}
+std::uint32_t PlayerClient::GetOverflowCount() { return core_->backend->GetOverflowCount(); }
+
+CCMorse::MorseClient& PlayerClient::GetMorseClient() const {
+  CCMorse::MorseClient* const client = core_->backend->Morse();
+  if (client == nullptr) {
+    throw MorseError("it is a Player server, no simulator", "PlayerClient::GetMorseClient()");
+  }
+  return *client;
+}
+
+}  // namespace PlayerCc
 
 namespace CCMorse {
 
 PlayerClient::PlayerClient(const std::string& host, int port)
-    : client_(MorseClient::Share(host, port)) {}
+    : PlayerCc::PlayerClient(host, static_cast<std::uint32_t>(port), true) {}
 PlayerClient::~PlayerClient() = default;
-
-void PlayerClient::Read() { client_->Read(); }
-bool PlayerClient::Peek(int timeout_ms) { return client_->Peek(timeout_ms); }
-void PlayerClient::ReadIfWaiting() { client_->ReadIfWaiting(); }
-bool PlayerClient::Connected() const { return client_->Connected(); }
-void PlayerClient::StartThread() { client_->StartThread(); }
-void PlayerClient::StopThread() { client_->StopThread(); }
-void PlayerClient::Run(int timeout_ms) { client_->Run(timeout_ms); }
-void PlayerClient::Stop() { client_->Stop(); }
-void PlayerClient::SetRequestTimeout(std::uint32_t seconds) { client_->SetRequestTimeout(seconds); }
-void PlayerClient::SetRetryLimit(int limit) { client_->SetRetryLimit(limit); }
-int PlayerClient::GetRetryLimit() const { return client_->GetRetryLimit(); }
-void PlayerClient::SetRetryTime(double seconds) { client_->SetRetryTime(seconds); }
-double PlayerClient::GetRetryTime() const { return client_->GetRetryTime(); }
-
-void PlayerClient::SetDataMode(std::uint32_t mode) { client_->SetDataMode(static_cast<int>(mode)); }
-
-void PlayerClient::SetReplaceRule(bool replace, int type, int subtype, int interf) {
-  client_->SetReplaceRule(replace, type, subtype, interf);
-}
-
-void PlayerClient::RequestDeviceList() { client_->RequestDeviceList(); }
-
-std::list<playerc_device_info_t> PlayerClient::GetDeviceList() const {
-  return client_->GetDeviceList();
-}
-
-std::string PlayerClient::GetHostname() const { return client_->GetHostname(); }
-std::uint32_t PlayerClient::GetPort() const { return client_->GetPort(); }
-int PlayerClient::LookupCode(const std::string& name) const { return client_->LookupCode(name); }
-std::string PlayerClient::LookupName(int code) const { return client_->LookupName(code); }
-std::uint32_t PlayerClient::GetOverflowCount() { return client_->GetOverflowCount(); }
-
-std::ostream& operator<<(std::ostream& out, const PlayerClient& client) {
-  return out << client.GetHostname() << ": " << client.GetPort();
-}
 
 }  // namespace CCMorse

@@ -1,10 +1,11 @@
 #include "client/player/proxy_lookup.h"
 
 #include "libCCMorse/MorseProperties.h"
+#include "libplayerc++/playerclient.h"
 
 namespace CCMorse {
 
-MorseClient& RequireClient(PlayerClient* client, const char* function) {
+MorseClient& RequireClient(PlayerCc::PlayerClient* client, const char* function) {
   if (!client) throw MorseError("the client is a null pointer", function);
   return client->GetMorseClient();
 }

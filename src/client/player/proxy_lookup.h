@@ -5,12 +5,15 @@
 
 #include "libCCMorse/MorseClient.h"
 #include "libCCMorse/MorseError.h"
-#include "libCCMorse/PlayerClient.h"
+
+namespace PlayerCc {
+class PlayerClient;
+}
 
 namespace CCMorse {
 
-/// Throws MorseError from `function` for a null client; else gives the client.
-MorseClient& RequireClient(PlayerClient* client, const char* function);
+/// Throws MorseError from `function` for a null client; else gives the simulator's client.
+MorseClient& RequireClient(PlayerCc::PlayerClient* client, const char* function);
 
 /// Whether a device can stand behind a proxy of some interface.
 using DeviceFilter = bool (*)(const MorseDevice& device);

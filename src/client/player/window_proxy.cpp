@@ -1,6 +1,7 @@
 #include <mutex>
 
 #include "client/player/proxy_lookup.h"
+#include "client/player/proxy_state.h"
 #include "libCCMorse/MorseClient.h"
 #include "libCCMorse/MorseError.h"
 #include "libCCMorse/PlayerClient.h"
@@ -30,7 +31,8 @@ MorsePen& FirstPen(MorseClient& client) {
 }  // namespace
 
 WindowProxy::WindowProxy(PlayerClient* client, MorsePen& pen)
-    : MorseProxy(client, 0, "window", pen), pen_(&pen) {}
+    : MorseProxy(client, 0, "WindowProxy", "window", std::make_shared<PlayerCc::NoState>()),
+      pen_(&pen) {}
 
 WindowProxy& WindowProxy::GetInstance(PlayerClient* client, int width, int height) {
   RequireClient(client, "WindowProxy::GetInstance()");

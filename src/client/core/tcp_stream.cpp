@@ -1,0 +1,104 @@
+#include "client/core/tcp_stream.h"
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <cerrno>
+#include <cstdint>
+
+#include "client/core/tcp_connect.h"
+#include "libCCMorse/MorseError.h"
+
+namespace CCMorse::core {
+
+using Clock = std::chrono::steady_clock;
+
+namespace {
+
+constexpr auto kSendLimit = std::chrono::seconds(5);
+constexpr std::size_t kBlock = std::size_t{64} << 10;
+
+int MillisecondsUntil(Clock::time_point deadline) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+  return static_cast<int>(std::clamp<std::int64_t>(left, 0, 3600 * 1000));
+}
+
+}  // namespace
+
+struct TcpStream::Impl {
+  boost::asio::io_context io;
+  boost::asio::ip::tcp::socket socket{io};
+  int handle = -1;
+  int wake = -1;
+};
+
+TcpStream::TcpStream(const std::string& host, int port, std::chrono::milliseconds limit,
+                     const char* function)
+    : impl_(std::make_unique<Impl>()) {
+  const std::string address = host + ":" + std::to_string(port);
+  const std::string reason = ConnectTcp(impl_->io, impl_->socket, host, port, limit);
+  if (!reason.empty()) throw MorseError("cannot connect to " + address + ": " + reason, function);
+  boost::system::error_code ignored;
+  // Without it, the kernel holds small messages back for up to 40 ms.
+  impl_->socket.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
+  impl_->handle = impl_->socket.native_handle();
+  impl_->wake = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  if (impl_->wake < 0) throw MorseError("no file descriptor is left", function);
+}
+
+TcpStream::~TcpStream() {
+  if (impl_->wake >= 0) ::close(impl_->wake);
+}
+
+TcpStream::Wait TcpStream::WaitFor(Clock::time_point deadline) {
+  std::array<pollfd, 2> fds = {pollfd{impl_->handle, POLLIN, 0}, pollfd{impl_->wake, POLLIN, 0}};
+  const int ready = ::poll(fds.data(), fds.size(), MillisecondsUntil(deadline));
+  if (ready < 0) return errno == EINTR ? Wait::kTimeout : Wait::kLost;
+  if (fds[0].revents != 0) return Wait::kReady;
+  if (fds[1].revents == 0) return Wait::kTimeout;
+  std::uint64_t count = 0;
+  while (::read(impl_->wake, &count, sizeof count) > 0) {
+  }
+  return Wait::kWoken;
+}
+
+bool TcpStream::Receive(std::string& out) {
+  std::array<char, kBlock>
+      block;  // NOLINT(cppcoreguidelines-pro-type-member-init): written by recv
+  const ssize_t size = ::recv(impl_->handle, block.data(), block.size(), MSG_DONTWAIT);
+  if (size > 0) out.append(block.data(), static_cast<std::size_t>(size));
+  return size > 0 || (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR));
+}
+
+bool TcpStream::Send(std::string_view bytes) {
+  const auto deadline = Clock::now() + kSendLimit;
+  while (!bytes.empty()) {
+    const ssize_t size =
+        ::send(impl_->handle, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    if (size > 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(size));
+      continue;
+    }
+    if (errno == EINTR) continue;
+    if (errno != EAGAIN && errno != EWOULDBLOCK) return false;
+    pollfd writable{impl_->handle, POLLOUT, 0};
+    if (::poll(&writable, 1, MillisecondsUntil(deadline)) == 0) return false;
+  }
+  return true;
+}
+
+void TcpStream::Wake() {
+  const std::uint64_t one = 1;
+  // A full counter wakes just as well.
+  [[maybe_unused]] const ssize_t written = ::write(impl_->wake, &one, sizeof one);
+}
+
+void TcpStream::Shutdown() { ::shutdown(impl_->handle, SHUT_RDWR); }
+
+}  // namespace CCMorse::core
