@@ -669,6 +669,7 @@ void ReadPlayer(const Field& field, Scenario& scenario) {
                                  device.interface, device.index, Quoted(device.robot),
                                  DidYouMean(device.robot, names)));
     }
+    if (device.interface == "graphics2d") continue;  // drawn on the floor: no component has it
     const RobotDef& robot =
         scenario.robots[static_cast<std::size_t>(std::distance(names.begin(), found))];
     const std::vector<std::string> known = DevicesFor(robot, device.interface);

@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/json.h"
 #include "scene/field.h"
+#include "scene/player/import.h"
 #include "scene/scenario.h"
 
 namespace ccmorse::tools {
@@ -281,7 +282,7 @@ FoundScenario FindAndCheck(const BatchJob& job, const fs::path& folder, const st
       throw Error(fmt::format("{}:{}: {}", file, job.scenario_line, error.what()));
     }
   }
-  return {found, static_cast<std::int64_t>(scene::LoadScenario(found).seed)};
+  return {found, static_cast<std::int64_t>(scene::ImportScenario(found).scenario.seed)};
 }
 
 }  // namespace

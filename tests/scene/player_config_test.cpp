@@ -209,7 +209,7 @@ TEST(PlayerConfigC2, WhatTheConfigNamesMustBeThere) {
 TEST(PlayerSetup, AScenarioMaySayTheSameAsJson) {
   const std::string text = R"({"robots": [{"name": "r"}], "player": {
     "devices": [{"address": "position2d:0", "robot": "r", "device": "pose"},
-                {"address": "6666:simulation:0"},
+                {"address": "6666:simulation:0"},{"address": "graphics2d:0", "robot": "r"},
                 {"address": "laser:0", "robot": "r", "device": "hokuyo"}],
     "drivers": [{"name": "snd", "provides": ["position2d:1"], "requires": ["input:::position2d:0"],
                  "angle_unit": 0.5, "options": {"max_turn_rate": 2, "tol": [1, "x"], "on": true}}]}})";

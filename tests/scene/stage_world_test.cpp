@@ -167,7 +167,8 @@ TEST(StageWorldC3, RectanglesAreAsFewAsASweepGives) {
   std::vector<int> covered(image.pixels.size(), 0);
   for (const PixelRect& r : DarkRectangles(image)) {
     for (int y = r.y; y < r.y + r.height; ++y) {
-      for (int x = r.x; x < r.x + r.width; ++x) covered[static_cast<std::size_t>(y * 6 + x)] = 1;
+      for (int x = r.x; x < r.x + r.width; ++x)
+        covered[static_cast<std::size_t>(y) * 6U + static_cast<std::size_t>(x)] = 1;
     }
   }
   for (std::size_t i = 0; i < covered.size(); ++i) {
