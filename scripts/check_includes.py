@@ -14,13 +14,14 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 MAY_INCLUDE = {
     "base": [],
     "wire": ["base"],
+    "navigation": ["base"],
     "imr-h": ["base"],
     "client/core": ["wire", "base"],
     "client/morse": ["client/core", "wire", "base"],
-    "client/player": ["client/morse", "client/core", "wire", "base"],
+    "client/player": ["client/morse", "client/core", "navigation", "wire", "base"],
     "scene": ["base"],
     "sim": ["scene", "base"],
-    "servers": ["sim", "scene", "wire", "base"],
+    "servers": ["sim", "scene", "navigation", "wire", "base"],
     "tools": ["servers", "sim", "scene", "wire", "base"],
     # Programs that `ccmorse bench` executes: they measure what it may not include, the client
     # library and Embree itself.
@@ -34,7 +35,8 @@ CLIENT_LAYERS = [
      "Paint"},
     {"MorseSensor", "MorseActuator", "MorsePose", "MorseOdometry", "MorseMotionVW", "MorseLaser",
      "MorseWaypoint", "MorseProperties", "MorseTime", "MorsePen"},
-    {"MorseProxy", "Position2dProxy", "LaserProxy", "WindowProxy", "MorseDriver", "PlayerClient"},
+    {"MorseProxy", "Position2dProxy", "LaserProxy", "WindowProxy", "MorseDriver", "SndDriver",
+     "PlayerClient"},
     {"CCMorse"},
 ]
 

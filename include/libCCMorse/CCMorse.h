@@ -23,6 +23,7 @@
 #include "libCCMorse/Paint.h"
 #include "libCCMorse/PlayerClient.h"
 #include "libCCMorse/Position2dProxy.h"
+#include "libCCMorse/SndDriver.h"
 #include "libCCMorse/Types.h"
 #include "libCCMorse/WindowProxy.h"
 

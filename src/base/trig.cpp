@@ -1,5 +1,6 @@
 #include "base/trig.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ccmorse {
@@ -119,6 +120,19 @@ double Atan2(double y, double x) {
     estimate += d + d * d * d / 6.0 + 3.0 * d * d * d * d * d / 40.0;
   }
   return estimate;
+}
+
+double Exp(double x) {
+  if (!(x >= -700.0)) return x < -700.0 ? 0.0 : x;  // NaN stays NaN
+  x = std::min(x, 700.0);
+  // x = k ln 2 + r with |r| <= ln 2 / 2; ln 2 in two parts, of which k times the first is exact.
+  constexpr double kLn2High = 0x1.62e42fee00000p-1;
+  constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
+  const double k = std::floor(x * 1.4426950408889634 + 0.5);
+  const double r = (x - k * kLn2High) - k * kLn2Low;
+  double sum = 1.0;  // Taylor's series by Horner; the 14th term is below 2^-56
+  for (int n = 13; n >= 1; --n) sum = 1.0 + sum * r / n;
+  return std::ldexp(sum, static_cast<int>(k));
 }
 
 }  // namespace ccmorse

@@ -30,4 +30,8 @@ double Atan2(double y, double x);
 /// on every machine.
 double Log(double x);
 
+/// e to the power of x within 4 ulp, the same bits on every machine: 0 below -700, and no larger
+/// than at 700 above it.
+double Exp(double x);
+
 }  // namespace ccmorse

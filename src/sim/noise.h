@@ -1,15 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 namespace ccmorse::sim {
-
-/// One block of random bits, a function of counter and key alone: Philox4x32-10 (J. Salmon et al.,
-/// "Parallel random numbers: as easy as 1, 2, 3", SC 2011).
-std::array<std::uint32_t, 4> Philox(std::array<std::uint32_t, 4> counter,
-                                    std::array<std::uint32_t, 2> key);
 
 /// The noise of one component. It has no state: a number depends on (seed, component, tick, sample)
 /// alone, so it is the same whoever asks, in whatever order (design: Determinism). Thread safe.

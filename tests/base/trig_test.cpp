@@ -61,5 +61,17 @@ TEST(Trig, WhatIsNoAngleStaysNoAngle) {
   EXPECT_TRUE(std::isnan(SinCos(INFINITY).cos));
 }
 
+TEST(Trig, ExpAgreesWithTheCLibrary) {
+  for (int i = -70000; i <= 70000; ++i) {
+    const double x = 0.01 * i;
+    ASSERT_NEAR(Exp(x) / std::exp(x), 1.0, 1e-15) << x;
+  }
+  EXPECT_EQ(Exp(0.0), 1.0);
+  EXPECT_EQ(Exp(-701.0), 0.0);
+  EXPECT_EQ(Exp(-INFINITY), 0.0);
+  EXPECT_EQ(Exp(INFINITY), Exp(700.0));
+  EXPECT_TRUE(std::isnan(Exp(std::nan(""))));
+}
+
 }  // namespace
 }  // namespace ccmorse

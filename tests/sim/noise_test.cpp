@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/philox.h"
 #include "scene/scenario.h"
 #include "sim/sensors/laser_scanner.h"
 #include "sim/simulation.h"
