@@ -9,6 +9,8 @@ import pathlib
 import re
 import sys
 
+CLASSES, METHODS = 44, 524  # of player.md A.4
+
 # What an argument of a type is, where its zero is not enough.
 VALUES = {
     "char*": "text.data()", "const char*": '"name"', "bool*": "&flag", "int32_t*": "&integer",
@@ -67,6 +69,9 @@ def main():
             classes.append(current)
         elif line.startswith("  "):
             current[2].append(line.strip())
+    total = sum(len(signatures) for _, _, signatures in classes)
+    if (len(classes), total) != (CLASSES, METHODS):
+        sys.exit(f"{table}: {len(classes)} classes, {total} methods, not {CLASSES} and {METHODS}")
     text = ["// Made by tests/client/playerc/generate.py of methods.txt: edit those.", "",
             '#include "tests/client/playerc/calls.h"', "",
             "namespace ccmorse::test {", ""]
