@@ -18,7 +18,7 @@ struct Result {
   std::string output;
 };
 
-Result Run(const std::string& command) {
+Result Shell(const std::string& command) {
   FILE* pipe = popen(("{ " + command + "; } 2>&1").c_str(), "r");
   if (pipe == nullptr) return {-1, "cannot run " + command};
   Result result{0, ""};
@@ -53,8 +53,8 @@ class PlayerPackages : public testing::Test {
         fs::copy(entry.path(), lib, fs::copy_options::copy_symlinks);
       }
     }
-    const Result installed = Run("cmake --install " + Quoted(binary / "packaging/player") +
-                                 " --prefix " + Quoted(root_ / "moved"));
+    const Result installed = Shell("cmake --install " + Quoted(binary / "packaging/player") +
+                                   " --prefix " + Quoted(root_ / "moved"));
     EXPECT_EQ(installed.status, 0) << installed.output;
     fs::copy(fs::path(CCMORSE_SOURCE_DIR) / "examples/player", root_ / "player");
     setenv("PKG_CONFIG_LIBDIR", (lib / "pkgconfig").c_str(), 1);
@@ -70,7 +70,7 @@ class PlayerPackages : public testing::Test {
 TEST_F(PlayerPackages, PkgConfigKnowsAllOfPlayersNames) {
   for (const char* name :
        {"playerc++", "playerc", "playercore", "playercommon", "playererror", "playerinterface"}) {
-    const Result flags = Run("pkg-config --cflags --libs " + std::string(name));
+    const Result flags = Shell("pkg-config --cflags --libs " + std::string(name));
     EXPECT_EQ(flags.status, 0) << flags.output;
     EXPECT_NE(flags.output.find("moved/include"), std::string::npos) << flags.output;
     EXPECT_NE(flags.output.find("-lCCMorse"), std::string::npos) << flags.output;
@@ -79,24 +79,24 @@ TEST_F(PlayerPackages, PkgConfigKnowsAllOfPlayersNames) {
 
 TEST_F(PlayerPackages, AMakefileBuildsItsProgramsByPkgConfig) {
   const Result made =
-      Run("make -C " + Quoted(root_ / "player") + " hello CXXFLAGS+='-O0 " + sanitize_ +
-          " $(shell pkg-config --cflags playerc++)' LDFLAGS='" + sanitize_ + "'");
+      Shell("make -C " + Quoted(root_ / "player") + " hello CXXFLAGS+='-O0 " + sanitize_ +
+            " $(shell pkg-config --cflags playerc++)' LDFLAGS='" + sanitize_ + "'");
   ASSERT_EQ(made.status, 0) << made.output;
   EXPECT_EQ(made.output.find("warning"), std::string::npos) << made.output;
   // It runs: port 1 of this machine has no server.
-  const Result ran = Run(Quoted(root_ / "player/hello") + " 127.0.0.1 1");
+  const Result ran = Shell(Quoted(root_ / "player/hello") + " 127.0.0.1 1");
   EXPECT_EQ(ran.status, 1);
   EXPECT_NE(ran.output.find("cannot connect to 127.0.0.1:1"), std::string::npos) << ran.output;
 }
 
 TEST_F(PlayerPackages, CMakeFindsPlayerAndBuildsEveryExample) {
   const Result built =
-      Run("cmake -S " + Quoted(root_ / "player") + " -B " + Quoted(root_ / "build") +
-          " -DCMAKE_PREFIX_PATH=" + Quoted(root_ / "moved") + " -DCMAKE_CXX_FLAGS='-O0 -Wall " +
-          sanitize_ + "' && cmake --build " + Quoted(root_ / "build"));
+      Shell("cmake -S " + Quoted(root_ / "player") + " -B " + Quoted(root_ / "build") +
+            " -DCMAKE_PREFIX_PATH=" + Quoted(root_ / "moved") + " -DCMAKE_CXX_FLAGS='-O0 -Wall " +
+            sanitize_ + "' && cmake --build " + Quoted(root_ / "build"));
   ASSERT_EQ(built.status, 0) << built.output;
   EXPECT_EQ(built.output.find("warning:"), std::string::npos) << built.output;
-  EXPECT_EQ(Run(Quoted(root_ / "build/goto_snd")).status, 2);
+  EXPECT_EQ(Shell(Quoted(root_ / "build/goto_snd")).status, 2);
 }
 
 }  // namespace
