@@ -6,6 +6,7 @@
 
 #include "libCCMorse/MorsePen.h"
 #include "libCCMorse/MorseProxy.h"
+#include "libCCMorse/PlayerClient.h"
 #include "libCCMorse/Types.h"
 
 namespace CCMorse {

@@ -10,6 +10,7 @@ namespace PlayerCc {
 class PlayerError {
  public:
   /// `fun`: "Class::Method()"; `str`: what happened; `code`: -1 when nothing more is known.
+  // NOLINTNEXTLINE(google-explicit-constructor): Player's own
   PlayerError(const std::string& fun = "", const std::string& str = "", int code = -1);
   virtual ~PlayerError();
   PlayerError(const PlayerError& other);

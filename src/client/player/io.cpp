@@ -623,6 +623,7 @@ void LogProxy::SetReadState(int state) {
 void LogProxy::Rewind() {
   Require(Ask(*state_, PLAYER_LOG_REQ_SET_READ_REWIND), "LogProxy::Rewind()");
 }
+// NOLINTNEXTLINE(performance-unnecessary-value-param): Player's own type
 void LogProxy::SetFilename(const std::string filename) {
   Require(Ask(*state_, PLAYER_LOG_REQ_SET_FILENAME, wire::LogSetFilename{filename}),
           "LogProxy::SetFilename()");

@@ -100,6 +100,7 @@ void ActArrayProxy::MoveTo(std::uint32_t joint, float pos) {
   Command(*state_, PLAYER_ACTARRAY_CMD_POS,
           wire::ActarrayPositionCmd{static_cast<std::int32_t>(joint), pos});
 }
+// NOLINTNEXTLINE(performance-unnecessary-value-param): Player's own type
 void ActArrayProxy::MoveToMulti(std::vector<float> pos) {
   Command(*state_, PLAYER_ACTARRAY_CMD_MULTI_POS, wire::ActarrayMultiPositionCmd{Doubles(pos)});
 }
@@ -107,6 +108,7 @@ void ActArrayProxy::MoveAtSpeed(std::uint32_t joint, float speed) {
   Command(*state_, PLAYER_ACTARRAY_CMD_SPEED,
           wire::ActarraySpeedCmd{static_cast<std::int32_t>(joint), speed});
 }
+// NOLINTNEXTLINE(performance-unnecessary-value-param): Player's own type
 void ActArrayProxy::MoveAtSpeedMulti(std::vector<float> speed) {
   Command(*state_, PLAYER_ACTARRAY_CMD_MULTI_SPEED, wire::ActarrayMultiSpeedCmd{Doubles(speed)});
 }
@@ -117,6 +119,7 @@ void ActArrayProxy::SetActuatorCurrent(std::uint32_t joint, float current) {
   Command(*state_, PLAYER_ACTARRAY_CMD_CURRENT,
           wire::ActarrayCurrentCmd{static_cast<std::int32_t>(joint), current});
 }
+// NOLINTNEXTLINE(performance-unnecessary-value-param): Player's own type
 void ActArrayProxy::SetActuatorCurrentMulti(std::vector<float> current) {
   Command(*state_, PLAYER_ACTARRAY_CMD_MULTI_CURRENT,
           wire::ActarrayMultiCurrentCmd{Doubles(current)});

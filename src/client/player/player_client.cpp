@@ -134,6 +134,7 @@ std::list<playerc_device_info_t> PlayerClient::GetDeviceList() {
 }
 std::string PlayerClient::GetHostname() const { return core_->backend->GetHostname(); }
 std::uint32_t PlayerClient::GetPort() const { return core_->backend->GetPort(); }
+// NOLINTNEXTLINE(performance-unnecessary-value-param): Player's own type
 int PlayerClient::LookupCode(std::string name) const { return str_to_interf(name.c_str()); }
 std::string PlayerClient::LookupName(int code) const {
   return code < 0 || code > 0xFFFF ? "unknown" : interf_to_str(static_cast<std::uint16_t>(code));

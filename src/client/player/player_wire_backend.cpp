@@ -45,8 +45,8 @@ class WireBackend;
 
 class WireLink final : public DeviceLink {
  public:
-  WireLink(WireBackend& backend, Key key, std::string driver, std::shared_ptr<DataSink> sink)
-      : backend_(backend), key_(key), driver_(std::move(driver)), sink_(std::move(sink)) {}
+  WireLink(WireBackend& backend, Key key, std::string driver, const std::shared_ptr<DataSink>& sink)
+      : backend_(backend), key_(key), driver_(std::move(driver)), sink_(sink) {}
   ~WireLink() override;
   WireLink(const WireLink&) = delete;
   WireLink& operator=(const WireLink&) = delete;
@@ -96,7 +96,7 @@ class WireBackend final : public PlayerBackend {
       if (++device.users > 1) {
         device.sinks.push_back(sink);
         driver = device.driver;
-        return std::make_unique<WireLink>(*this, key, driver, std::move(sink));
+        return std::make_unique<WireLink>(*this, key, driver, sink);
       }
     }
     const std::optional<std::string> opened = Open(key);
@@ -107,7 +107,7 @@ class WireBackend final : public PlayerBackend {
     }
     devices_[key].driver = *opened;
     devices_[key].sinks.push_back(sink);
-    return std::make_unique<WireLink>(*this, key, *opened, std::move(sink));
+    return std::make_unique<WireLink>(*this, key, *opened, sink);
   }
 
   void Unsubscribe(const Key& key, const std::weak_ptr<DataSink>& sink) {

@@ -143,6 +143,7 @@ CameraProxy::CameraProxy(PlayerClient* client, std::uint32_t index)
     : ClientProxy(client, index, "CameraProxy", "camera", std::make_shared<CameraState>()) {}
 CameraProxy::~CameraProxy() = default;
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): Player's own type
 void CameraProxy::SaveFrame(const std::string prefix, std::uint32_t width) {
   const auto state = In<CameraState>();
   Save(state->data, prefix, width, state->frame, "CameraProxy::SaveFrame()");
@@ -190,6 +191,7 @@ StereoProxy::StereoProxy(PlayerClient* client, std::uint32_t index)
     : ClientProxy(client, index, "StereoProxy", "stereo", std::make_shared<StereoState>()) {}
 StereoProxy::~StereoProxy() = default;
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): Player's own type
 void StereoProxy::SaveLeftFrame(const std::string prefix, std::uint32_t width) {
   const auto state = In<StereoState>();
   Save(state->data.left_channel, prefix, width, state->frame, "StereoProxy::SaveLeftFrame()");
@@ -217,6 +219,7 @@ void StereoProxy::GetLeftImage(std::uint8_t* image) const {
 std::uint32_t StereoProxy::GetLeftCompression() const {
   return In<StereoState>()->data.left_channel.compression;
 }
+// NOLINTNEXTLINE(performance-unnecessary-value-param): Player's own type
 void StereoProxy::SaveRightFrame(const std::string prefix, std::uint32_t width) {
   const auto state = In<StereoState>();
   Save(state->data.right_channel, prefix, width, state->frame, "StereoProxy::SaveRightFrame()");
@@ -246,6 +249,7 @@ void StereoProxy::GetRightImage(std::uint8_t* image) const {
 std::uint32_t StereoProxy::GetRightCompression() const {
   return In<StereoState>()->data.right_channel.compression;
 }
+// NOLINTNEXTLINE(performance-unnecessary-value-param): Player's own type
 void StereoProxy::SaveDisparityFrame(const std::string prefix, std::uint32_t width) {
   const auto state = In<StereoState>();
   Save(state->data.disparity, prefix, width, state->frame, "StereoProxy::SaveDisparityFrame()");

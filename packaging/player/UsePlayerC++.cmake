@@ -1,0 +1,10 @@
+# The macro of Player's module of this name, for CMakeLists that include it:
+#   PLAYER_ADD_PLAYERCPP_CLIENT(name SOURCES a.cpp ...)
+find_package(playerc++ REQUIRED)
+include(CMakeParseArguments)
+macro(PLAYER_ADD_PLAYERCPP_CLIENT _client)
+  cmake_parse_arguments(_client "" "" "SOURCES;INCLUDEDIRS;LIBDIRS;LINKFLAGS;CFLAGS" ${ARGN})
+  add_executable(${_client} ${_client_SOURCES} ${_client_UNPARSED_ARGUMENTS})
+  target_include_directories(${_client} PRIVATE ${_client_INCLUDEDIRS})
+  target_link_libraries(${_client} ${PLAYERC++_LINK_LIBS} ${_client_LINKFLAGS})
+endmacro()
