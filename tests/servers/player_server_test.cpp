@@ -3,6 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "base/trig.h"
 #include "tests/servers/served_simulation.h"
@@ -370,6 +376,91 @@ TEST(PlayerServer, BrokenStreamsEndOneConnectionOnly) {
             MessageType::kNack);
   EXPECT_EQ(good.Request(wire::kPosition2d, 0, wire::kPosition2dReqGetGeom).header.type,
             MessageType::kAck);
+}
+
+TEST(PlayerServer, AHundredClientsGetEveryRound) {
+  ServedSimulation served(kHall, Pace::kLockstep);
+  std::vector<std::unique_ptr<PlayerWireClient>> clients;
+  for (int i = 0; i < 100; ++i) {
+    clients.push_back(std::make_unique<PlayerWireClient>(served.player_port()));
+    clients.back()->SetPull(true);
+    clients.back()->Subscribe(wire::kPosition2d, 0);
+    clients.back()->Subscribe(wire::kLaser, 0);
+  }
+  for (int round = 1; round <= 5; ++round) {
+    for (const auto& client : clients) {
+      client->Send(MessageType::kRequest, wire::kPlayer, 0, wire::kPlayerReqData);
+    }
+    for (const auto& client : clients) {
+      int data = 0;
+      for (;;) {
+        const auto message = client->Receive();
+        ASSERT_TRUE(message);
+        if (message->header.type == MessageType::kSynch) break;
+        if (message->header.type == MessageType::kData) ++data;
+      }
+      EXPECT_EQ(data, 2) << "in round " << round;
+    }
+  }
+}
+
+TEST(PlayerServer, AClientThatNeverReadsCostsLittleAndIsToldWhatItLost) {
+  ServedSimulation served(kHall, Pace::kLockstep);
+  PlayerWireClient lazy(served.player_port());
+  lazy.SetPull(true);
+  lazy.Subscribe(wire::kPosition2d, 0);
+  PlayerWireClient busy(served.player_port());
+  busy.SetPull(true);
+  busy.Subscribe(wire::kPosition2d, 0);
+  for (int i = 0; i < 1030; ++i) busy.Read();
+  const auto round = lazy.Read();
+  ASSERT_EQ(round.size(), 1025U);
+  EXPECT_EQ(round.back().header.subtype, wire::kPlayerSynchOverflow);
+  EXPECT_EQ(round.back().As<wire::Overflow>().dropped, 6U);
+}
+
+// Lock-step is the same to the byte each time: what the document shows is what is sent.
+TEST(PlayerServer, TheBytesAreThoseOfTheDocument) {
+  ServedSimulation served(R"({"world": {"name": "h", "size": [4, 4], "boxes": []},
+      "robots": [{"name": "s1r", "pose": {"x": 1, "y": 2, "yaw_deg": 0}}]})",
+                          Pace::kLockstep);
+  const auto port = static_cast<std::uint32_t>(served.player_port());
+  std::ifstream document(CCMORSE_SOURCE_DIR "/docs/protocols/player.md");
+  std::string line;
+  while (std::getline(document, line) && line != "```bytes") {
+  }
+  struct Piece {
+    std::string title;
+    std::string bytes;
+  };
+  std::vector<Piece> pieces;
+  while (std::getline(document, line) && line != "```") {
+    if (line.rfind("    ", 0) != 0) {
+      pieces.push_back({line, ""});
+      continue;
+    }
+    std::istringstream words(line);
+    for (std::string word; words >> word;) {
+      auto value = static_cast<std::uint32_t>(std::stoul(word, nullptr, 16));
+      if (value == 6665) value = port;
+      for (const unsigned shift : {24U, 16U, 8U, 0U}) {
+        pieces.back().bytes += static_cast<char>(value >> shift & 0xffU);
+      }
+    }
+  }
+  ASSERT_GE(pieces.size(), 20U);
+  testing::LineClient first(served.player_port());
+  std::optional<testing::LineClient> second;
+  for (const Piece& piece : pieces) {
+    const bool of_second = piece.title.rfind("second ", 0) == 0;
+    if (of_second && !second) second.emplace(served.player_port());
+    testing::LineClient& connection = of_second ? *second : first;
+    if (piece.title.find("client: ") != std::string::npos) {
+      connection.Send(piece.bytes);
+    } else {
+      EXPECT_EQ(connection.ReadBytes(piece.bytes.size()), piece.bytes) << piece.title;
+    }
+  }
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ class ServedSimulation {
                             std::vector<player::PortSetup> player = {})
       : simulation_(scene::ParseScenario(scenario, "test.json")),
         recorder_(simulation_, folder_.path() + "/run.mcap", record),
-        runner_(simulation_, Options(pace, seconds, limits, clients, client_timeout, std::move(player))),
+        runner_(simulation_,
+                Options(pace, seconds, limits, clients, client_timeout, std::move(player))),
         port_(runner_.morse().port()),
         thread_([this] {
           runner_.AddWatcher(recorder_);

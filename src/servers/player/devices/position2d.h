@@ -32,7 +32,7 @@ class Position2d : public Device {
   void LastLeft() override;
 
  private:
-  void Read();  // pose_ and stalled_ from the sensor
+  void Read();  // pose_ from the sensor
   void Drive(double v, double w);
   void Stop();
   void DriveToGoal();
@@ -46,7 +46,6 @@ class Position2d : public Device {
   std::vector<double> numbers_;  // scratch
   Pose2 frame_;                  // of the sensor's frame in that of the device
   Pose2 pose_;                   // in the device's frame
-  bool stalled_ = false;
   bool power_ = true;
   bool commanded_ = false;         // by a client, since the first one came
   sim::Twist speed_;               // as last commanded
