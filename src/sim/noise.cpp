@@ -39,7 +39,7 @@ std::array<double, 3> Noise::Shares() const {
   for (std::uint32_t i = 0; i < 3; ++i) {
     // The last word is 0 in what AddGaussian draws.
     const auto bits = Philox({i, 0, 0, 1}, key_);
-    shares[i] = Uniform(bits[0], bits[1]);
+    shares[i] = OpenUniform(bits[0], bits[1]);
   }
   return shares;
 }

@@ -12,6 +12,7 @@
 #include "servers/net/outbox.h"
 #include "servers/net/warning_limit.h"
 #include "servers/player/device_factory.h"
+#include "servers/player/drivers/snd_driver.h"
 
 namespace ccmorse::servers::player {
 namespace {
@@ -36,6 +37,55 @@ std::vector<PortSetup> DefaultSetup(const sim::Simulation& simulation, int first
     setup.port = first_port == 0 ? 0 : first_port + static_cast<int>(setups.size()) - 1;
     setup.name = def.name;
     for (const DeviceDef& device : DefaultDevices()) setup.devices.push_back({def.name, device});
+    if (def.type == "S1R" && def.front == "laser") {
+      const auto settings = def.drivers.find("snd");
+      setup.drivers.push_back(
+          SyrotekSnd(settings == def.drivers.end() ? Json::Object{} : settings->second.AsObject()));
+    }
+  }
+  return setups;
+}
+
+DriverDevice ToDriverDevice(const scene::PlayerAddress& address) {
+  return {address.key, address.interface, address.index};
+}
+
+// What the scenario's "player" or a .cfg asks for (docs/scenario.md).
+std::vector<PortSetup> SetupOf(const scene::PlayerSetup& wanted,
+                               const sim::Simulation& simulation) {
+  std::vector<PortSetup> setups;
+  for (const int port : wanted.Ports()) {
+    PortSetup& setup = setups.emplace_back();
+    setup.port = any_port ? 0 : port;
+    const auto robot_or_first = [&](const std::string& robot) {
+      return robot.empty() ? simulation.robots().front()->name() : robot;
+    };
+    for (const scene::PlayerDevice& device : wanted.devices) {
+      if (device.port != port) continue;
+      if (setup.name.empty()) setup.name = device.robot;
+      DeviceDef def{device.interface, device.index, device.device};
+      setup.devices.push_back({robot_or_first(device.robot), def});
+    }
+    for (const scene::PlayerDriver& driver : wanted.drivers) {
+      if (driver.provided.empty() || driver.provided.front().port != port) continue;
+      if (!IsDriver(driver.name)) {
+        LogWarning("{}driver '{}' is not supported; its devices are left out",
+                   driver.places.empty() ? "" : driver.places.front() + ": ", driver.name);
+        continue;
+      }
+      DriverDef& def = setup.drivers.emplace_back();
+      def.name = driver.name;
+      for (const auto& address : driver.provided) def.provided.push_back(ToDriverDevice(address));
+      for (const auto& address : driver.needed) {
+        if (!address.host.empty() || address.port != port) {
+          throw Error("driver " + driver.name + " requires " + ToText(address) +
+                      ": devices of other ports and hosts are not supported");
+        }
+        def.required.push_back(ToDriverDevice(address));
+      }
+      def.options = {driver.options, driver.length_unit, driver.angle_unit};
+      def.robot = robot_or_first(setup.name);
+    }
   }
   return setups;
 }
@@ -217,7 +267,10 @@ std::unique_ptr<PlayerServer> PlayerServer::Open(asio::io_context& io, sim::Simu
       new PlayerServer(std::make_shared<Shared>(io, simulation, directory, options)));
   Shared& shared = *server->shared_;
   for (const PortSetup& setup :
-       options.setup.empty() ? DefaultSetup(simulation, options.port) : options.setup) {
+       !options.setup.empty() ? options.setup
+       : simulation.scenario().player
+           ? SetupOf(*simulation.scenario().player, simulation, options.port == 0)
+           : DefaultSetup(simulation, options.port)) {
     const int number = setup.port;
     Shared::OpenPort& port = shared.ports.emplace_back();
     port.robot = setup.name;

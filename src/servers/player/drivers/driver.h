@@ -121,6 +121,9 @@ class Driver : public Subscriber {
   int users_ = 0;  // devices that somebody has subscribed to
 };
 
+/// Is there a driver of that name?
+bool IsDriver(std::string_view name);
+
 /// Makes a driver by its name. Throws Error that names those there are.
 std::unique_ptr<Driver> MakeDriver(const DriverDef& def, const DeviceContext& context,
                                    const DeviceList& devices);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "base/error.h"
@@ -5,6 +6,7 @@
 #include "servers/player/drivers/driver.h"
 #include "servers/player/drivers/localization.h"
 #include "servers/player/drivers/range_converters.h"
+#include "servers/player/drivers/snd_driver.h"
 
 namespace ccmorse::servers::player {
 namespace {
@@ -25,9 +27,15 @@ constexpr std::array kMakers = {
     Maker{"lasertoranger", &Make<LaserToRanger>},
     Maker{"mapfile", &Make<MapFile>},
     Maker{"rangertolaser", &Make<RangerToLaser>},
+    Maker{"snd", &Make<SndDriver>},
 };
 
 }  // namespace
+
+bool IsDriver(std::string_view name) {
+  return std::any_of(kMakers.begin(), kMakers.end(),
+                     [&](const Maker& maker) { return name == maker.name; });
+}
 
 std::unique_ptr<Driver> MakeDriver(const DriverDef& def, const DeviceContext& context,
                                    const DeviceList& devices) {
