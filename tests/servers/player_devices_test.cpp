@@ -229,7 +229,8 @@ TEST_F(PlayerDevices, TheMapIsTheWorldInDeflatedTiles) {
   ASSERT_EQ(cells->size(), 100U * 100U);
   // The box lies from x 3.0 to 3.2 and y 1.8 to 2.2.
   const auto cell = [&](int x, int y) {
-    return static_cast<std::int8_t>(cells->at(static_cast<std::size_t>((y - 50) * 100 + x - 100)));
+    return static_cast<std::int8_t>(
+        cells->at(static_cast<std::size_t>(y - 50) * 100 + static_cast<std::size_t>(x - 100)));
   };
   EXPECT_EQ(cell(149, 100), -1);
   EXPECT_EQ(cell(150, 100), 1);

@@ -16,7 +16,6 @@ using player::DeviceDef;
 using player::DriverDef;
 using player::PortSetup;
 using testing::PlayerWireClient;
-using wire::MessageType;
 
 constexpr const char* kTwo = R"({"world": {"name": "hall", "size": [10, 10], "boxes": []},
     "robots": [{"name": "a", "pose": {"x": 2, "y": 5, "yaw_deg": 0}},

@@ -41,7 +41,9 @@ GridMap ReadMap(const DriverOptions& options) {
                        static_cast<std::size_t>(x)];
       int brightness = (int{pixel.r} + pixel.g + pixel.b) / 3;
       if (negate) brightness = 255 - brightness;
-      map.cells.push_back(brightness >= kLight ? -1 : brightness <= kDark ? 1 : 0);
+      map.cells.push_back(brightness >= kLight  ? std::int8_t{-1}
+                          : brightness <= kDark ? std::int8_t{1}
+                                                : std::int8_t{0});
     }
   }
   return map;
