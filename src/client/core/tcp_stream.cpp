@@ -22,11 +22,12 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 constexpr auto kSendLimit = std::chrono::seconds(5);
+constexpr std::int64_t kLongest = 3600000;  // ms of one wait
 constexpr std::size_t kBlock = std::size_t{64} << 10;
 
 int MillisecondsUntil(Clock::time_point deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-  return static_cast<int>(std::clamp<std::int64_t>(left, 0, 3600 * 1000));
+  return static_cast<int>(std::clamp<std::int64_t>(left, 0, kLongest));
 }
 
 }  // namespace

@@ -46,11 +46,12 @@ class PlayerPackages : public testing::Test {
     const fs::path binary = CCMORSE_BINARY_DIR;
     const fs::path lib = root_ / "moved" / CCMORSE_LIBDIR;
     fs::create_directories(lib / "pkgconfig");
+    fs::create_directories(root_ / "moved/include");
     fs::copy(fs::path(CCMORSE_SOURCE_DIR) / "include", root_ / "moved/include",
              fs::copy_options::recursive);
     for (const auto& entry : fs::directory_iterator(binary / "lib")) {
       if (entry.path().filename().string().starts_with("libCCMorse.so")) {
-        fs::copy(entry.path(), lib, fs::copy_options::copy_symlinks);
+        fs::copy(entry.path(), lib / entry.path().filename(), fs::copy_options::copy_symlinks);
       }
     }
     const Result installed = Shell("cmake --install " + Quoted(binary / "packaging/player") +
@@ -72,7 +73,7 @@ TEST_F(PlayerPackages, PkgConfigKnowsAllOfPlayersNames) {
        {"playerc++", "playerc", "playercore", "playercommon", "playererror", "playerinterface"}) {
     const Result flags = Shell("pkg-config --cflags --libs " + std::string(name));
     EXPECT_EQ(flags.status, 0) << flags.output;
-    EXPECT_NE(flags.output.find("moved/include"), std::string::npos) << flags.output;
+    EXPECT_NE(flags.output.find("/moved/"), std::string::npos) << flags.output;
     EXPECT_NE(flags.output.find("-lCCMorse"), std::string::npos) << flags.output;
   }
 }
