@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/error.h"
 #include "base/image.h"
+#include "base/trig.h"
+#include "scene/player/import.h"
 #include "tests/servers/served_simulation.h"
 #include "tests/support/player_wire_client.h"
 #include "wire/player/deflate.h"
@@ -137,6 +141,68 @@ TEST_F(PlayerDrivers, MapfileServesAPicture) {
   const auto cells = wire::Inflate(reply.data, 6);
   ASSERT_TRUE(cells);
   EXPECT_EQ(*cells, (wire::Bytes{255, 0, 255, 1, 255, 255}));  // lowest row first
+}
+
+// Rounds of Player's protocol until position2d:`index` is there, at most for 60 simulated seconds.
+wire::Pose2d GoTo(PlayerWireClient& client, std::uint16_t index, const wire::Pose2d& goal) {
+  wire::Position2dCmdPos command;
+  command.pos = goal;
+  command.state = 1;
+  client.Command(wire::kPosition2d, index, wire::kPosition2dCmdPos, command);
+  wire::Pose2d pose;
+  for (int round = 0; round < 600; ++round) {
+    const auto data = client.ReadUntil(wire::kPosition2d, index).As<wire::Position2dData>();
+    pose = data.pos;
+    EXPECT_EQ(data.stall, 0);
+    const bool there = std::hypot(pose.px - goal.px, pose.py - goal.py) < 0.06;
+    if (there && data.vel.px == 0.0 && data.vel.pa == 0.0) break;
+  }
+  return pose;
+}
+
+TEST(PlayerSnd, G1DrivesSyrotekSRobotToGoalsAsPosition2d1) {
+  ServedSimulation served("{}", Pace::kLockstep);
+  PlayerWireClient client(served.player_port());
+  client.SetPull(true);
+  EXPECT_EQ(client.Subscribe(wire::kPosition2d, 1), "snd");
+  for (const wire::Pose2d& goal :
+       {wire::Pose2d{0.9, 2.6, 0.0}, wire::Pose2d{2.2, 2.2, 1.5}, wire::Pose2d{1.2, 2.0, -2.0}}) {
+    const wire::Pose2d end = GoTo(client, 1, goal);
+    EXPECT_LT(std::hypot(end.px - goal.px, end.py - goal.py), 0.06);
+    EXPECT_LT(std::fabs(std::remainder(end.pa - goal.pa, 2 * kPi)), Radians(31.0));
+  }
+}
+
+TEST(PlayerSnd, SpeedsTakeTheGoalAway) {
+  ServedSimulation served("{}", Pace::kLockstep);
+  PlayerWireClient client(served.player_port());
+  client.SetPull(true);
+  client.Subscribe(wire::kPosition2d, 1);
+  wire::Position2dCmdPos goal;
+  goal.pos = {2.2, 2.2, 0.0};
+  client.Command(wire::kPosition2d, 1, wire::kPosition2dCmdPos, goal);
+  for (int i = 0; i < 5; ++i) client.Read();
+  client.Command(wire::kPosition2d, 1, wire::kPosition2dCmdVel, wire::Position2dCmdVel{});
+  for (int i = 0; i < 3; ++i) client.Read();
+  const auto still = client.ReadUntil(wire::kPosition2d, 1).As<wire::Position2dData>();
+  const auto later = client.ReadUntil(wire::kPosition2d, 1).As<wire::Position2dData>();
+  EXPECT_EQ(still.pos, later.pos);
+}
+
+TEST(PlayerSetup, ACfgServesItsDevicesAndDrivers) {
+  const auto imported =
+      scene::ImportScenario(std::string(CCMORSE_SOURCE_DIR) + "/tests/worlds/course.cfg");
+  ServedSimulation served(scene::ToJson(imported.scenario).Dump(), Pace::kLockstep);
+  PlayerWireClient client(served.player_port());
+  client.SetPull(true);
+  EXPECT_EQ(client.Subscribe(wire::kLaser, 0), "rangertolaser");
+  EXPECT_EQ(client.Subscribe(wire::kPosition2d, 1), "snd");
+  client.Subscribe(wire::kPosition2d, 0);
+  const auto here = client.ReadUntil(wire::kPosition2d, 1).As<wire::Position2dData>().pos;
+  wire::Position2dCmdPos goal;
+  goal.pos = {here.px + 0.3 * std::cos(here.pa), here.py + 0.3 * std::sin(here.pa), here.pa};
+  const wire::Pose2d end = GoTo(client, 1, goal.pos);
+  EXPECT_LT(std::hypot(end.px - goal.pos.px, end.py - goal.pos.py), 0.1);
 }
 
 TEST_F(PlayerDrivers, SetUpsThatCannotBeAreRefusedByName) {

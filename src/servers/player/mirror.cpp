@@ -25,7 +25,7 @@
 namespace ccmorse::servers {
 
 namespace asio = boost::asio;
-namespace player = wire::player;
+namespace wire_player = wire::player;
 using asio::ip::tcp;
 using ErrorCode = boost::system::error_code;
 
@@ -123,14 +123,14 @@ class Mirror::Link : public std::enable_shared_from_this<Mirror::Link> {
   void Connected() {
     ErrorCode ignored;
     socket_.set_option(tcp::no_delay(true), ignored);
-    frames_ = player::FrameReader(player::kLongestBody);
-    banner_left_ = player::kBannerSize;
+    frames_ = wire_player::FrameReader(wire_player::kLongestBody);
+    banner_left_ = wire_player::kBannerSize;
     answered_ = {};
     Read();
-    player::DeviceDatamodeReq pull;
+    wire_player::DeviceDatamodeReq pull;
     pull.mode = kPull;
-    Request({0, 0, player::kPlayer, 0}, player::kPlayerReqDatamode, player::Encode(pull),
-            [this](bool /*ok*/) { OpenPose(0); });
+    Request({0, 0, wire_player::kPlayer, 0}, wire_player::kPlayerReqDatamode,
+            wire_player::Encode(pull), [this](bool /*ok*/) { OpenPose(0); });
   }
 
   void OpenPose(std::size_t attempt) {
@@ -138,7 +138,7 @@ class Mirror::Link : public std::enable_shared_from_this<Mirror::Link> {
       return Fail("has neither position2d:2 nor position2d:0");
     }
     pose_index_ = kPoseIndexes[attempt];
-    Open(player::kPosition2d, pose_index_, [this, attempt](bool ok) {
+    Open(wire_player::kPosition2d, pose_index_, [this, attempt](bool ok) {
       if (!ok) return OpenPose(attempt + 1);
       OpenLaser();
     });
@@ -146,7 +146,7 @@ class Mirror::Link : public std::enable_shared_from_this<Mirror::Link> {
 
   void OpenLaser() {
     if (scanner_ == nullptr) return Begin(false);
-    Open(player::kLaser, 0, [this](bool ok) { Begin(ok); });
+    Open(wire_player::kLaser, 0, [this](bool ok) { Begin(ok); });
   }
 
   void Begin(bool scans) {
@@ -154,29 +154,32 @@ class Mirror::Link : public std::enable_shared_from_this<Mirror::Link> {
             scans ? "and laser:0" : "without a laser", server_);
     trouble_.clear();
     // A newer pose or scan takes the place of an older one that waits.
-    player::AddReplaceRuleReq newest{-1, -1, static_cast<int>(player::MessageType::kData), -1, 1};
-    Request({0, 0, player::kPlayer, 0}, player::kPlayerReqAddReplaceRule, player::Encode(newest),
-            [this](bool /*ok*/) { AskForData(); });
+    wire_player::AddReplaceRuleReq newest{-1, -1, static_cast<int>(wire_player::MessageType::kData),
+                                          -1, 1};
+    Request({0, 0, wire_player::kPlayer, 0}, wire_player::kPlayerReqAddReplaceRule,
+            wire_player::Encode(newest), [this](bool /*ok*/) { AskForData(); });
   }
 
-  void AskForData() { Request({0, 0, player::kPlayer, 0}, player::kPlayerReqData, {}, {}); }
+  void AskForData() {
+    Request({0, 0, wire_player::kPlayer, 0}, wire_player::kPlayerReqData, {}, {});
+  }
 
   void Open(std::uint16_t interface_code, std::uint16_t index, Answered answered) {
-    player::DeviceReq open;
+    wire_player::DeviceReq open;
     open.addr = {0, 0, interface_code, index};
     open.access = kOpen;
-    Request({0, 0, player::kPlayer, 0}, player::kPlayerReqDev, player::Encode(open),
+    Request({0, 0, wire_player::kPlayer, 0}, wire_player::kPlayerReqDev, wire_player::Encode(open),
             std::move(answered));
   }
 
-  void Request(const player::Devaddr& to, std::uint8_t subtype, const player::Bytes& body,
+  void Request(const wire_player::Devaddr& to, std::uint8_t subtype, const wire_player::Bytes& body,
                Answered answered) {
-    player::Header header;
+    wire_player::Header header;
     header.address = to;
-    header.type = player::MessageType::kRequest;
+    header.type = wire_player::MessageType::kRequest;
     header.subtype = subtype;
     auto bytes = std::make_shared<std::string>();
-    player::Append(header, body, *bytes);
+    wire_player::Append(header, body, *bytes);
     answered_ = std::move(answered);
     asio::async_write(socket_, asio::buffer(*bytes),
                       [self = shared_from_this(), bytes](ErrorCode error, std::size_t /*size*/) {
@@ -205,9 +208,9 @@ class Mirror::Link : public std::enable_shared_from_this<Mirror::Link> {
                             });
   }
 
-  void Take(const player::Message& message) {
-    using Type = player::MessageType;
-    const player::Devaddr& from = message.header.address;
+  void Take(const wire_player::Message& message) {
+    using Type = wire_player::MessageType;
+    const wire_player::Devaddr& from = message.header.address;
     switch (message.header.type) {
       case Type::kAck:
       case Type::kNack: {
@@ -216,14 +219,14 @@ class Mirror::Link : public std::enable_shared_from_this<Mirror::Link> {
         return;
       }
       case Type::kData:
-        if (from.interf == player::kPosition2d && from.index == pose_index_ &&
-            message.header.subtype == player::kPosition2dDataState) {
-          player::Position2dData data;
-          if (player::Decode(message.body, data)) pose_ = data.pos;
-        } else if (from.interf == player::kLaser && from.index == 0 &&
-                   message.header.subtype == player::kLaserDataScan) {
-          player::LaserData data;
-          if (player::Decode(message.body, data)) scan_ = std::move(data);
+        if (from.interf == wire_player::kPosition2d && from.index == pose_index_ &&
+            message.header.subtype == wire_player::kPosition2dDataState) {
+          wire_player::Position2dData data;
+          if (wire_player::Decode(message.body, data)) pose_ = data.pos;
+        } else if (from.interf == wire_player::kLaser && from.index == 0 &&
+                   message.header.subtype == wire_player::kLaserDataScan) {
+          wire_player::LaserData data;
+          if (wire_player::Decode(message.body, data)) scan_ = std::move(data);
         }
         return;
       case Type::kSynch:  // the end of a round
@@ -246,7 +249,7 @@ class Mirror::Link : public std::enable_shared_from_this<Mirror::Link> {
   }
 
   // The scan as our scanner would have seen it.
-  Json::Array Ranges(const player::LaserData& scan) const {
+  Json::Array Ranges(const wire_player::LaserData& scan) const {
     const sim::BeamFan& fan = scanner_->fan();
     Json::Array ranges;
     for (std::size_t i = 0; i < fan.count(); ++i) {
@@ -298,11 +301,11 @@ class Mirror::Link : public std::enable_shared_from_this<Mirror::Link> {
   bool closed_ = false;
   std::array<char, std::size_t{16} << 10U> block_{};
   std::size_t banner_left_ = 0;
-  player::FrameReader frames_;
+  wire_player::FrameReader frames_;
   Answered answered_;  // to the request that is outstanding
   std::uint16_t pose_index_ = 0;
-  std::optional<player::Pose2d> pose_;  // the newest of this round
-  std::optional<player::LaserData> scan_;
+  std::optional<wire_player::Pose2d> pose_;  // the newest of this round
+  std::optional<wire_player::LaserData> scan_;
   std::string trouble_;  // that was logged last
 };
 

@@ -51,8 +51,8 @@ DriverDevice ToDriverDevice(const scene::PlayerAddress& address) {
 }
 
 // What the scenario's "player" or a .cfg asks for (docs/scenario.md).
-std::vector<PortSetup> SetupOf(const scene::PlayerSetup& wanted,
-                               const sim::Simulation& simulation) {
+std::vector<PortSetup> SetupOf(const scene::PlayerSetup& wanted, const sim::Simulation& simulation,
+                               bool any_port) {
   std::vector<PortSetup> setups;
   for (const int port : wanted.Ports()) {
     PortSetup& setup = setups.emplace_back();
