@@ -11,10 +11,11 @@ class PlayerError {
  public:
   /// `fun`: "Class::Method()"; `str`: what happened; `code`: -1 when nothing more is known.
   // NOLINTNEXTLINE(google-explicit-constructor): Player's own
-  PlayerError(const std::string& fun = "", const std::string& str = "", int code = -1);
-  virtual ~PlayerError();
-  PlayerError(const PlayerError& other);
-  PlayerError& operator=(const PlayerError& other);
+  PlayerError(const std::string& fun = "", const std::string& str = "", int code = -1)
+      : str_(str), fun_(fun), code_(code) {}
+  virtual ~PlayerError() = default;
+  PlayerError(const PlayerError& other) = default;
+  PlayerError& operator=(const PlayerError& other) = default;
 
   std::string GetErrorStr() const { return str_; }  ///< what happened, one sentence
   std::string GetErrorFun() const { return fun_; }  ///< the function that failed

@@ -199,11 +199,6 @@ CCMorse::MorseRobot& ClientProxy::GetRobot() const {
   return *robot;
 }
 
-PlayerError::PlayerError(const std::string& fun, const std::string& str, int code)
-    : str_(str), fun_(fun), code_(code) {}
-PlayerError::~PlayerError() = default;
-PlayerError::PlayerError(const PlayerError& other) = default;
-PlayerError& PlayerError::operator=(const PlayerError& other) = default;
 
 }  // namespace PlayerCc
 

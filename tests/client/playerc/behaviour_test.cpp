@@ -10,7 +10,7 @@
 #include "libplayerc++/playerc++.h"
 #include "tests/support/fake_server.h"
 #include "tests/support/player_double.h"
-#include "wire/player/map_tile.h"
+#include "wire/player/deflate.h"
 
 namespace ccmorse::test {
 namespace {
@@ -386,7 +386,7 @@ TEST_F(A04, AMapIsPutTogetherOfItsTiles) {
   tile.height = 2;
   tile.data_range = 1;
   const wire::player::Bytes cells = {255, 0, 1, 1, 1, 1};
-  tile.data = wire::player::DeflateMapTile(cells);
+  tile.data = wire::player::Deflate(cells);
   server.Answer(PLAYER_MAP_CODE, PLAYER_MAP_REQ_GET_DATA, tile);
   map.RequestMap();
   EXPECT_EQ(map.GetWidth(), 3U);
