@@ -90,7 +90,10 @@ class Tirpc {
   void Count(const std::vector<T>& items) {
     Value(static_cast<std::uint32_t>(items.size()));
   }
-  void Count(const std::string& text) { Value(static_cast<std::uint32_t>(text.size() + 1)); }
+  // With the NUL; an empty text is nothing at all.
+  void Count(const std::string& text) {
+    Value(static_cast<std::uint32_t>(text.empty() ? 0 : text.size() + 1));
+  }
   void SingleItems(const std::vector<double>& items, std::size_t /*most*/ = 0) {
     std::vector<float> copy(items.begin(), items.end());
     auto* data = reinterpret_cast<char*>(copy.data());
@@ -102,7 +105,7 @@ class Tirpc {
     Opaque({items.begin(), items.end()});
   }
   void Items(const std::string& text, std::size_t /*most*/ = 0) {
-    Opaque({text.c_str(), text.c_str() + text.size() + 1});
+    Opaque({text.c_str(), text.c_str() + (text.empty() ? 0 : text.size() + 1)});
   }
   void Items(const std::vector<double>& items, std::size_t /*most*/ = 0) {
     std::vector<double> copy = items;

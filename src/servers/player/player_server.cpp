@@ -281,9 +281,14 @@ std::unique_ptr<PlayerServer> PlayerServer::Open(asio::io_context& io, sim::Simu
       if (made != nullptr) port.devices.Add(std::move(made));
     }
     for (const DriverDef& def : setup.drivers) {
-      auto driver = MakeDriver(def, shared.context, port.devices);
-      for (const auto& device : driver->provided()) port.devices.Add(device);
-      port.drivers.push_back(std::move(driver));
+      try {
+        auto driver = MakeDriver(def, shared.context, port.devices);
+        for (const auto& device : driver->provided()) port.devices.Add(device);
+        port.drivers.push_back(std::move(driver));
+      } catch (const Error& error) {
+        if (!def.may_fail) throw;
+        LogWarning("{}: no driver {} for Player's clients: {}", setup.name, def.name, error.what());
+      }
     }
     port.listener = std::make_shared<Listener>(io, [&shared, &port](tcp::socket socket) {
       if (port.clients >= shared.options.most_clients) {

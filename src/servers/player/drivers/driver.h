@@ -43,6 +43,8 @@ struct DriverDef {
   std::vector<DriverDevice> required;
   DriverOptions options = {};
   std::string robot = "";  ///< of the scenario, for drivers that ask for one
+  /// Nobody asked for it: where it cannot be made, a warning is enough.
+  bool may_fail = false;
 };
 
 /// A driver of the server (specs: player.md C.2, G): provides devices, and uses those of the

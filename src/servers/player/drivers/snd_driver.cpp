@@ -120,6 +120,7 @@ DriverDef SyrotekSnd(const Json::Object& settings) {
   def.provided = {{"", "position2d", 1}};
   def.required = {{"input", "position2d", 2}, {"output", "position2d", 0}, {"", "laser", 0}};
   def.options = {options.AsObject(), 1.0, Radians(1.0)};
+  def.may_fail = true;
   return def;
 }
 
