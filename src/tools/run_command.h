@@ -9,8 +9,8 @@ namespace ccmorse::tools {
 
 /// What `ccmorse run` was asked for; what is not set comes from the scenario.
 struct RunArguments {
-  std::string scenario;  ///< name or path
-  bool headless = false;  ///< no live view
+  std::string scenario;              ///< name or path
+  bool headless = false;             ///< no live view
   std::optional<std::string> pace;   ///< "real", "lockstep" or "max"
   double seconds = 0.0;              ///< simulated; 0: until stopped
   int threads = 0;                   ///< that share the work; 0: as many as are sensible
@@ -25,7 +25,7 @@ struct RunArguments {
   /// Player's port of the first robot, 0: any free ones. Where not given, Player's own, and the run
   /// goes on without it if that is taken; with `port` 0 any free ones.
   std::optional<int> player_port;
-  bool no_player = false;  ///< leaves Player's protocol out
+  bool no_player = false;            ///< leaves Player's protocol out
   std::vector<std::string> mirrors;  ///< servers::MirrorTarget::Parse
   std::string bind = "127.0.0.1";
   std::string out = ".";                    ///< folder for pictures that clients save
