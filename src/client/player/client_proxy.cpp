@@ -199,7 +199,6 @@ CCMorse::MorseRobot& ClientProxy::GetRobot() const {
   return *robot;
 }
 
-
 }  // namespace PlayerCc
 
 const char* interf_to_str(std::uint16_t code) {

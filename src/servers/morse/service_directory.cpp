@@ -470,8 +470,8 @@ void ServiceDirectory::PlaceObject(Arguments arguments) {
   simulation_.world().RobotsMoved();
 }
 
-// Where the real robot is, ours is, too: it may touch what in the model of the world stands a little
-// farther out, so nothing is refused for that.
+// Where the real robot is, ours is, too: it may touch what in the model of the world stands a
+// little farther out, so nothing is refused for that.
 void ServiceDirectory::MirrorPose(Arguments arguments) {
   const std::string& name = sim::StringArgument(arguments, 0, "robot");
   const Vec3 pose = PointArgument(arguments, 1, "pose");
