@@ -321,7 +321,9 @@ const connection = new Connection({
   },
 });
 
-// For tests and measurements.
+type Point = [number, number, number];
+
+// For tests, measurements and scripts.
 declare global {
   interface Window {
     ccmorse: {
@@ -329,7 +331,16 @@ declare global {
       scene(): Scene | null;
       frame(): Frame | null;
       find(robot: number): { x: number; y: number };
+      look(from: Point, at: Point): void;
+      call(component: string, service: string, args: unknown[]): Promise<unknown>;
     };
   }
 }
-window.ccmorse = { frames: () => stage.frames, scene: () => scene, frame: () => frame, find: (robot) => stage.find(robot) };
+window.ccmorse = {
+  frames: () => stage.frames,
+  scene: () => scene,
+  frame: () => frame,
+  find: (robot) => stage.find(robot),
+  look: (from, at) => stage.look(from, at),
+  call: (component, service, args) => connection.call(component, service, args),
+};

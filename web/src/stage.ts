@@ -16,6 +16,7 @@ export interface Layers {
 const STEPS = 65535; // of a range, protocol.ts
 const TRAIL_POINTS = 4000;
 const TRAIL_STEP = 0.01; // m
+const JUMP = 0.3; // m from frame to frame, more than any drive makes
 const LASER_COLOR = 0x1e8bff;
 const RING_COLOR = 0xffa028;
 
@@ -108,7 +109,9 @@ class Trail {
   }
 
   add(x: number, y: number): void {
-    if (Math.hypot(x - this.last.x, y - this.last.y) < TRAIL_STEP) return;
+    const step = Math.hypot(x - this.last.x, y - this.last.y);
+    if (step < TRAIL_STEP) return;
+    if (step > JUMP) this.count = 0; // it was put there
     if (this.count === TRAIL_POINTS) {
       // The older half goes.
       this.positions.array.copyWithin(0, (3 * TRAIL_POINTS) / 2);
@@ -444,6 +447,14 @@ export class Stage {
           state.x - 0.9 * Math.cos(state.yaw), state.y - 0.9 * Math.sin(state.yaw), 0.65);
       }
     }
+    this.controls.update();
+  }
+
+  /** Looks from one point to another, m. */
+  look(from: [number, number, number], at: [number, number, number]): void {
+    this.setCamera("orbit");
+    this.camera.position.set(...from);
+    this.controls.target.set(...at);
     this.controls.update();
   }
 
