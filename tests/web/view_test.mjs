@@ -2,7 +2,7 @@
 // page and from the simulator. node --test view_test.mjs, with the program's path in $CCMORSE.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { after, before, test } from "node:test";
+import nodeTest from "node:test";
 import { chromium } from "playwright-core";
 
 const PROGRAM = process.env.CCMORSE ?? "build/release/bin/ccmorse";
@@ -30,13 +30,12 @@ class Simulator {
 }
 
 let browser;
-before(async () => {
-  browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-  });
-});
-after(async () => browser?.close());
+const cases = [];
+
+/** One of the cases that run one after the other, in one browser, at the end of this file. */
+function test(name, body) {
+  cases.push({ name, body });
+}
 
 async function look(address) {
   // Small, as every pixel is the processor's.
@@ -157,4 +156,14 @@ test("a lost connection is said, and the page comes back by itself", async (cont
   await page.waitForFunction(() => window.ccmorse.scene().scene === "two_robots");
   await page.waitForFunction(() => document.getElementById("link").textContent === "");
   assert.equal(await page.locator("#robots li").count(), 2);
+});
+
+nodeTest("the live view", async (context) => {
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader"],
+  });
+  context.after(() => browser.close());
+  for (const { name, body } of cases) await context.test(name, body);
 });
