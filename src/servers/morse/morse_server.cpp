@@ -16,6 +16,7 @@
 #include "servers/fast_link/fast_link_session.h"
 #include "servers/net/listener.h"
 #include "servers/net/outbox.h"
+#include "servers/net/waiting.h"
 #include "servers/net/warning_limit.h"
 #include "wire/fast_link.h"
 #include "wire/morse_line.h"
@@ -134,10 +135,10 @@ class MorseServer::ServiceConnection
 
   std::uint64_t arrival() const { return arrival_; }
   bool reads() const { return joined_; }
-  bool read_outstanding() const { return read_waits_; }
+  bool waits() const { return read_waits_; }
   std::uint64_t read_tick() const { return shared_.ReadTick(next_read_); }
   /// When the outstanding read came.
-  Clock::time_point read_since() const { return read_since_; }
+  Clock::time_point waits_since() const { return read_since_; }
   /// When anything came.
   Clock::time_point heard() const { return heard_; }
   /// Address, port and what the client calls itself, for the log.
@@ -829,7 +830,7 @@ int MorseServer::ReadersEver() const { return shared_->readers_ever; }
 
 bool MorseServer::ReadersAreWaiting() const {
   return std::all_of(shared_->connections.begin(), shared_->connections.end(),
-                     [](const auto& c) { return !c->reads() || c->read_outstanding(); });
+                     [](const auto& c) { return !c->reads() || c->waits(); });
 }
 
 bool MorseServer::HasReaders() const {
@@ -847,34 +848,12 @@ void MorseServer::EndReads(const std::string& reason) {
 }
 
 std::optional<Clock::time_point> MorseServer::WaitingSince() const {
-  std::optional<Clock::time_point> since;
-  for (const auto& connection : shared_->connections) {
-    if (!connection->read_outstanding()) continue;
-    since = since ? std::min(*since, connection->read_since()) : connection->read_since();
-  }
-  return since;
+  return servers::WaitingSince(shared_->connections);
 }
 
 std::optional<Clock::time_point> MorseServer::LetHangingGo(Clock::time_point waiting_since,
                                                            Clock::duration limit) {
-  const auto now = Clock::now();
-  std::optional<Clock::time_point> next;
-  std::vector<std::shared_ptr<ServiceConnection>> hanging;
-  for (const auto& connection : shared_->connections) {
-    if (!connection->reads() || connection->read_outstanding()) continue;
-    const auto due = std::max(waiting_since, connection->heard()) + limit;
-    if (due <= now) {
-      hanging.push_back(connection);
-    } else {
-      next = next ? std::min(*next, due) : due;
-    }
-  }
-  for (const auto& connection : hanging) {
-    LogWarning("client {} has sent nothing for {:g} s while others wait: it is let go",
-               connection->name(), std::chrono::duration<double>(limit).count());
-    connection->Leave();
-  }
-  return next;
+  return servers::LetHangingGo(shared_->connections, waiting_since, limit, "client");
 }
 
 std::uint64_t MorseServer::SamplesUsed(const std::string& full_name) const {

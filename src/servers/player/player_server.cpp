@@ -10,6 +10,7 @@
 #include "base/log.h"
 #include "servers/net/listener.h"
 #include "servers/net/outbox.h"
+#include "servers/net/waiting.h"
 #include "servers/net/warning_limit.h"
 #include "servers/player/device_factory.h"
 #include "servers/player/drivers/snd_driver.h"
@@ -360,34 +361,12 @@ bool PlayerServer::ReadersAreWaiting() const {
 bool PlayerServer::HasClients() const { return !shared_->connections.empty(); }
 
 std::optional<PlayerServer::TimePoint> PlayerServer::WaitingSince() const {
-  std::optional<TimePoint> since;
-  for (const auto& connection : shared_->connections) {
-    if (!connection->waits()) continue;
-    since = since ? std::min(*since, connection->waits_since()) : connection->waits_since();
-  }
-  return since;
+  return servers::WaitingSince(shared_->connections);
 }
 
 std::optional<PlayerServer::TimePoint> PlayerServer::LetHangingGo(TimePoint waiting_since,
                                                                   Clock::duration limit) {
-  const auto now = Clock::now();
-  std::optional<TimePoint> next;
-  std::vector<std::shared_ptr<Connection>> hanging;
-  for (const auto& connection : shared_->connections) {
-    if (!connection->reads() || connection->waits()) continue;
-    const auto due = std::max(waiting_since, connection->heard()) + limit;
-    if (due <= now) {
-      hanging.push_back(connection);
-    } else {
-      next = next ? std::min(*next, due) : due;
-    }
-  }
-  for (const auto& connection : hanging) {
-    LogWarning("Player client {} has sent nothing for {:g} s while others wait: it is let go",
-               connection->name(), std::chrono::duration<double>(limit).count());
-    connection->Leave();
-  }
-  return next;
+  return servers::LetHangingGo(shared_->connections, waiting_since, limit, "Player client");
 }
 
 void PlayerServer::EndReads(const std::string& reason) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "base/polygon.h"
 #include "scene/scenario.h"
 
 namespace ccmorse::servers {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
@@ -70,11 +69,10 @@ bool IsLoopback(const std::string& host) {
   return host == "localhost" || host == "127.0.0.1" || host == "[::1]" || host == "::1";
 }
 
-struct WebServer::Shared : std::enable_shared_from_this<WebServer::Shared> {
-  Shared(asio::io_context& io_in, const sim::Simulation& simulation_in,
-         ServiceDirectory& directory_in, WebServerOptions options_in)
-      : io(io_in),
-        simulation(simulation_in),
+struct WebServer::Shared {
+  Shared(const sim::Simulation& simulation_in, ServiceDirectory& directory_in,
+         WebServerOptions options_in)
+      : simulation(simulation_in),
         directory(directory_in),
         options(std::move(options_in)),
         model(simulation_in) {}
@@ -98,7 +96,6 @@ struct WebServer::Shared : std::enable_shared_from_this<WebServer::Shared> {
     return IsLoopback(name) || name == options.bind || !options.token.empty();
   }
 
-  asio::io_context& io;
   const sim::Simulation& simulation;
   ServiceDirectory& directory;
   WebServerOptions options;
@@ -346,7 +343,7 @@ class WebServer::Session : public std::enable_shared_from_this<WebServer::Sessio
 
 WebServer::WebServer(asio::io_context& io, const sim::Simulation& simulation,
                      ServiceDirectory& directory, const WebServerOptions& options)
-    : shared_(std::make_shared<Shared>(io, simulation, directory, options)) {
+    : shared_(std::make_shared<Shared>(simulation, directory, options)) {
   if (!IsLoopback(options.bind) && options.token.empty()) {
     throw Error("the view lets whoever sees it drive the robots: with --bind " + options.bind +
                 " give it a --token, too");
@@ -379,8 +376,6 @@ void WebServer::Acted() {
     if (viewer->takes_frames()) viewer->SendFrame();
   }
 }
-
-bool WebServer::HasViewers() const { return !shared_->viewers.empty(); }
 
 void WebServer::Close() {
   if (std::exchange(shared_->closed, true)) return;

@@ -46,8 +46,6 @@ class WebServer : public RunWatcher {
 
   /// Sends the frames that are due.
   void Acted() override;
-  /// Is anybody looking?
-  bool HasViewers() const;
   void Close();
 
  private:
