@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -123,6 +124,32 @@ bool Meets(const Ray& local, const Geometry& geometry, std::uint32_t triangle, d
   return distance >= 0.0;
 }
 
+// A hit that only double can judge: is it nearer than what the ray has found so far? Then it takes
+// its place, and `tfar` is where Embree is to search on to. Out of line, as it is rare.
+[[gnu::noinline]] bool IsNearest(const TraceContext& context, const Ray& ray,
+                                 const Geometry& geometry, std::uint32_t triangle,
+                                 std::uint32_t mover, Lane& lane, float& tfar) {
+  double distance = 0.0;
+  if (!Meets(LocalRay(ray, geometry, context.placements, mover), geometry, triangle, distance)) {
+    return false;
+  }
+  if (!lane.exact) {
+    lane.distance = Distance(LocalRay(ray, *lane.geometry, context.placements, lane.mover),
+                             *lane.geometry, lane.triangle);
+    lane.exact = true;
+  }
+  // Where two surfaces lie in one place, the first by name is seen.
+  if (distance > lane.distance ||
+      (distance == lane.distance &&
+       (lane.geometry == nullptr || !(SurfaceOf(geometry, triangle, mover) <
+                                      SurfaceOf(*lane.geometry, lane.triangle, lane.mover))))) {
+    return false;
+  }
+  lane = {distance, &geometry, triangle, mover, true};
+  tfar = static_cast<float>(distance + 2.0 * context.search_on);
+  return true;
+}
+
 // Embree offers hits of N rays; what is not the nearest so far is refused. For the compiler N is a
 // constant.
 template <unsigned count>
@@ -130,8 +157,11 @@ void KeepNearestOf(const RTCFilterFunctionNArguments* offer) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): it is the first member
   const auto& context = *reinterpret_cast<const TraceContext*>(offer->context);
   const auto& geometry = *static_cast<const Geometry*>(offer->geometryUserPtr);
-  for (unsigned i = 0; i < count; ++i) {
-    if (offer->valid[i] == 0) continue;
+  // Mostly it is one ray of eight: found without a branch for each.
+  unsigned offered = 0;
+  for (unsigned i = 0; i < count; ++i) offered |= (offer->valid[i] != 0 ? 1U : 0U) << i;
+  for (; offered != 0; offered &= offered - 1) {
+    const auto i = static_cast<unsigned>(std::countr_zero(offered));
     const std::uint32_t mover = RTCHitN_instID(offer->hit, count, i, 0);
     // The direction may have been rotated in float, and the normal belongs to the grown triangle;
     // both only matter where a decision is left to double anyway.
@@ -160,27 +190,9 @@ void KeepNearestOf(const RTCFilterFunctionNArguments* offer) {
         continue;
       }
     }
-    const Ray& ray = context.rays[id];
-    double distance = 0.0;
-    if (!Meets(LocalRay(ray, geometry, context.placements, mover), geometry, triangle, distance)) {
+    if (!IsNearest(context, context.rays[id], geometry, triangle, mover, lane, tfar)) {
       offer->valid[i] = 0;
-      continue;
     }
-    if (!lane.exact) {
-      lane.distance = Distance(LocalRay(ray, *lane.geometry, context.placements, lane.mover),
-                               *lane.geometry, lane.triangle);
-      lane.exact = true;
-    }
-    // Where two surfaces lie in one place, the first by name is seen.
-    if (distance > lane.distance ||
-        (distance == lane.distance &&
-         (lane.geometry == nullptr || !(SurfaceOf(geometry, triangle, mover) <
-                                        SurfaceOf(*lane.geometry, lane.triangle, lane.mover))))) {
-      offer->valid[i] = 0;
-      continue;
-    }
-    lane = {distance, &geometry, triangle, mover, true};
-    tfar = static_cast<float>(distance + 2.0 * context.search_on);
   }
 }
 
