@@ -4,107 +4,29 @@
 // the client library.
 
 #include <fmt/core.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "base/json.h"
+#include "bench/simulator.h"
 #include "libCCMorse/CCMorse.h"
 
 namespace {
 
-using namespace CCMorse;  // NOLINT(google-build-using-namespace): as users write it
-using Clock = std::chrono::steady_clock;
+using namespace CCMorse;         // NOLINT(google-build-using-namespace): as users write it
+using namespace ccmorse::bench;  // NOLINT(google-build-using-namespace): a program of one file
 
 constexpr int kWidth = 172;  // the course's canvas
 constexpr int kHeight = 186;
 constexpr int kWarmUp = 200;  // reads before those that count
-
-double Since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double Quantile(std::vector<double> values, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
-
-/// A scenario with data 60 times a second, in a file that goes with the object.
-class FrequentScenario {
- public:
-  FrequentScenario() {
-    const int file = ::mkstemps(path_.data(), 5);
-    if (file < 0) throw std::runtime_error("cannot make a temporary file");
-    ::close(file);
-    std::ofstream(path_) << R"({"time": {"read_frequency": 60}})";
-  }
-  ~FrequentScenario() { std::remove(path_.c_str()); }
-  FrequentScenario(const FrequentScenario&) = delete;
-  FrequentScenario& operator=(const FrequentScenario&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_ = (std::filesystem::temp_directory_path() / "ccmorse_XXXXXX.json").string();
-};
-
-/// `ccmorse run` as a child process on free ports; ended with the object.
-class Simulator {
- public:
-  Simulator(const std::string& ccmorse, const std::string& scenario, const std::string& pace) {
-    int ends[2];
-    if (::pipe(ends) != 0) throw std::runtime_error("cannot make a pipe");
-    child_ = ::fork();
-    if (child_ < 0) throw std::runtime_error("cannot start the simulator");
-    if (child_ == 0) {
-      ::dup2(ends[1], STDOUT_FILENO);
-      ::close(ends[0]);
-      ::close(ends[1]);
-      ::execl(ccmorse.c_str(), "ccmorse", "run", scenario.c_str(), "--pace", pace.c_str(), "--port",
-              "0", "--stream-port", "0", nullptr);
-      ::_exit(127);
-    }
-    ::close(ends[1]);
-    // Kept open to the end: a simulator without a reader would end when it prints.
-    output_ = ::fdopen(ends[0], "r");
-    char line[256];
-    while (output_ != nullptr && std::fgets(line, sizeof line, output_) != nullptr) {
-      const std::string text(line);
-      const std::string key = "MORSE services on 127.0.0.1 port ";
-      if (text.rfind(key, 0) == 0) port_ = std::atoi(text.c_str() + key.size());
-      if (text.rfind("SCENE INITIALIZED", 0) == 0) break;
-    }
-    if (port_ == 0) throw std::runtime_error(ccmorse + " does not start");
-  }
-
-  ~Simulator() {
-    ::kill(child_, SIGKILL);
-    ::waitpid(child_, nullptr, 0);
-    if (output_ != nullptr) std::fclose(output_);
-  }
-  Simulator(const Simulator&) = delete;
-  Simulator& operator=(const Simulator&) = delete;
-
-  int port() const { return port_; }
-
- private:
-  pid_t child_ = -1;
-  std::FILE* output_ = nullptr;
-  int port_ = 0;
-};
 
 /// A client with the proxies of one robot, over the link asked for.
 struct Rig {
@@ -203,7 +125,7 @@ int Run(const std::string& ccmorse, double seconds, bool as_json) {
     canvas[json ? 1 : 0] = Quantile(CanvasUpdates(rig, seconds / 2), 0.5);
   }
   Delays delays[2];
-  const FrequentScenario scenario;
+  const ScenarioFile scenario(kFrequent);
   for (const bool json : {false, true}) {
     Rig rig(ccmorse, scenario.path(), "real", json);
     delays[json ? 1 : 0] = RealTime(rig, seconds * 2);

@@ -66,9 +66,9 @@ const std::map<std::string, Benchmark>& Benchmarks() {
     return [robots](double seconds) { return Fleet(robots, seconds); };
   };
   static const std::map<std::string, Benchmark> all = {
-      {"fleet 1", fleet(1)},       {"fleet 10", fleet(10)}, {"fleet 100", fleet(100)},
-      {"fleet 1000", fleet(1000)}, {"rays", timed("rays")}, {"embree", timed("embree")},
-      {"link", timed("link")},
+      {"fleet 1", fleet(1)},       {"fleet 10", fleet(10)},     {"fleet 100", fleet(100)},
+      {"fleet 1000", fleet(1000)}, {"rays", timed("rays")},     {"embree", timed("embree")},
+      {"link", timed("link")},     {"player", timed("player")},
   };
   return all;
 }
@@ -104,6 +104,15 @@ constexpr Row kRows[] = {
     {"Read() in real time, p50", "us", 100, 40, "link", "read_p50_us", 1.0, true},
     {"Read() in real time, p99", "us", 1000, 300, "link", "read_p99_us", 1.0, true},
     {"canvas, fast link against JSON", "times", 30, 100, "link", "canvas_ratio"},
+    {"Player client in lock-step", "sim s / wall s", 1000, 2500, "player",
+     "lockstep_sim_s_per_wall_s"},
+    {"Player's Read() in real time, p50", "us", 100, 60, "player", "read_from_due_p50_us", 1.0,
+     true},
+    {"Player's Read() in real time, p99", "us", 1000, 300, "player", "read_from_due_p99_us", 1.0,
+     true},
+    {"100 Player clients, data missed", "rounds", 0, 0, "player", "fleet_missed", 1.0, true},
+    {"100 Player clients, server's time", "% of a core", 50, 10, "player", "fleet_percent_of_core",
+     1.0, true},
 };
 
 using FiguresByBenchmark = std::map<std::string, Figures>;

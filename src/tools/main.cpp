@@ -293,6 +293,14 @@ int Run(int argc, char** argv) {
       ->check(Within(0.01, 1000.0))
       ->type_name("S");
   link_command->add_flag("--json", link.json, "one JSON object instead of a table");
+  ccmorse::tools::BenchProgramArguments player;
+  CLI::App* const player_command = bench_command->add_subcommand(
+      "player", "a Player client's Read() over TCP, and a hundred of them");
+  player_command
+      ->add_option("--seconds", player.seconds, "wall-clock time of each measurement  [2]")
+      ->check(Within(0.01, 1000.0))
+      ->type_name("S");
+  player_command->add_flag("--json", player.json, "one JSON object instead of a table");
   ccmorse::tools::BenchProgramArguments embree;
   CLI::App* const embree_command = bench_command->add_subcommand(
       "embree", "rays against triangles among 1,000 robots on one core, beside Embree alone");
@@ -337,6 +345,7 @@ int Run(int argc, char** argv) {
     if (list_command->parsed()) return ccmorse::tools::ListScenarios();
     if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);
     if (link_command->parsed()) ccmorse::tools::ExecuteBench("link", link);
+    if (player_command->parsed()) ccmorse::tools::ExecuteBench("player", player);
     if (embree_command->parsed()) ccmorse::tools::ExecuteBench("embree", embree);
     if (batch_command->parsed()) return ccmorse::tools::Batch(batch);
     if (all_command->parsed()) return ccmorse::tools::BenchAll(all);
