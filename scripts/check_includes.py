@@ -21,8 +21,9 @@ MAY_INCLUDE = {
     "client/player": ["client/morse", "client/core", "navigation", "wire", "base"],
     "scene": ["base"],
     "sim": ["scene", "base"],
+    "render": ["sim", "scene", "base"],
     "servers": ["sim", "scene", "navigation", "wire", "base"],
-    "tools": ["servers", "sim", "scene", "wire", "base"],
+    "tools": ["servers", "render", "sim", "scene", "wire", "base"],
     # Programs that `ccmorse bench` executes: they measure what it may not include, the client
     # library and Embree itself.
     "bench": ["sim", "base"],

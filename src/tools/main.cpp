@@ -16,6 +16,7 @@
 #include "tools/bench_program.h"
 #include "tools/fleet_bench.h"
 #include "tools/rays_bench.h"
+#include "tools/render_command.h"
 #include "tools/replay_command.h"
 #include "tools/run_command.h"
 
@@ -32,6 +33,45 @@ CLI::Validator Within(double low, double high) {
             return fine ? "" : fmt::format("{} is no number from {} to {}", text, low, high);
           },
           ""};
+}
+
+void AddRenderOptions(CLI::App& command, ccmorse::tools::RenderArguments& render) {
+  command.add_option("what", render.what, "a scenario, by name or path, or a record (.mcap)")
+      ->required()
+      ->type_name("SCENARIO|RECORD");
+  command.add_option("-o,--out", render.out, "the picture  [NAME.png]")->type_name("FILE.png");
+  command
+      .add_option("--camera", render.camera, "scene, top, follow[:ROBOT] or robot[:ROBOT]  [scene]")
+      ->type_name("NAME");
+  command.add_option("--from", render.from, "the camera's place instead, m")
+      ->expected(3)
+      ->type_name("X Y Z");
+  command.add_option("--at", render.at, "with --from: what it looks at, m  [the floor's middle]")
+      ->expected(3)
+      ->type_name("X Y Z");
+  command.add_option("--size", render.size, "pixels  [1280x720]")->type_name("WxH");
+  command
+      .add_option("--samples", render.samples,
+                  "light paths a pixel: four times as many halve the noise  [32]")
+      ->check(CLI::Range(1, 65536))
+      ->type_name("N");
+  command
+      .add_option("--time", render.time,
+                  "simulated second to show  [a scenario's start, a record's end]")
+      ->check(Within(0.0, 1e6))
+      ->type_name("S");
+  command.add_flag("--lasers", render.lasers, "shows what laser scanners see");
+  command.add_flag("!--no-canvas", render.canvas, "leaves the grid map on the floor out");
+  command.add_flag("--noise", render.noise, "leaves the noise of light paths in");
+  command.add_option("--threads", render.threads, "that share the work  [all cores]")
+      ->check(CLI::Range(0, 256))
+      ->type_name("T");
+  command.add_flag("-q,--quiet", render.quiet, "prints nothing but errors");
+  command.footer(
+      "Examples:\n"
+      "  ccmorse render docks -o docks.png\n"
+      "  ccmorse render run.mcap --time 12.5 --camera follow:s1r --lasers\n"
+      "  ccmorse render syrotek --from 1 0.2 1.7 --at 1.6 2.1 0 --size 1920x1080 --samples 128");
 }
 
 void AddBatchOptions(CLI::App& command, ccmorse::tools::BatchArguments& batch) {
@@ -255,6 +295,11 @@ int Run(int argc, char** argv) {
       "  ccmorse convert simple.world -o simple.json && ccmorse run simple.json\n"
       "What a scenario cannot have is named with its file and line (docs/scenario.md).");
 
+  ccmorse::tools::RenderArguments render;
+  CLI::App* const render_command = app.add_subcommand(
+      "render", "a ray-traced picture of a scenario, or of a moment of a record");
+  AddRenderOptions(*render_command, render);
+
   CLI::App* const list_command = app.add_subcommand("list", "list the scenarios");
 
   ccmorse::tools::BatchArguments batch;
@@ -341,6 +386,7 @@ int Run(int argc, char** argv) {
       return 0;
     }
     if (replay_command->parsed()) return ccmorse::tools::Replay(replay);
+    if (render_command->parsed()) return ccmorse::tools::Render(render);
     if (convert_command->parsed()) return ccmorse::tools::Convert(convert);
     if (list_command->parsed()) return ccmorse::tools::ListScenarios();
     if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <sstream>
 
 #include "base/error.h"
+#include "base/image.h"
 #include "base/json.h"
 #include "tests/support/line_client.h"
 #include "tests/support/process.h"
@@ -187,6 +189,43 @@ TEST(CommandLine, BenchAllMeasuresItsRows) {
               row.Find("measured")->AsDouble() >= row.Find("required")->AsDouble());
   }
   EXPECT_EQ(fleets, 6);
+}
+
+TEST(CommandLine, RenderMakesAPictureOfAScenarioAndOfARecord) {
+  const TemporaryFile picture(".png", "");
+  const TemporaryFile record(".mcap", "");
+  const Finished run =
+      RunToEnd({kCcmorse, "run", "syrotek", "--headless", "--port", "0", "--stream-port", "0",
+                "--pace", "max", "--for", "1", "--record", record.path()});
+  ASSERT_EQ(run.status, 0) << run.output;
+  for (const std::string& what : {std::string("syrotek"), record.path()}) {
+    const Finished rendered = RunToEnd({kCcmorse, "render", what, "-o", picture.path(), "--size",
+                                        "96x54", "--samples", "1", "--camera", "follow:s1r"});
+    ASSERT_EQ(rendered.status, 0) << rendered.output;
+    EXPECT_NE(rendered.output.find(what == "syrotek" ? "at 0.000 s" : "at 1.000 s"),
+              std::string::npos)
+        << rendered.output;
+    const Image image = ReadPng(picture.path());
+    EXPECT_EQ(image.width, 96);
+    EXPECT_EQ(image.height, 54);
+    std::set<int> greys;
+    for (const Color& color : image.pixels) greys.insert(color.g);
+    EXPECT_GT(greys.size(), 30U);
+  }
+}
+
+TEST(CommandLine, RenderSaysWhatItDoesNotUnderstand) {
+  const auto output = [](const std::vector<std::string>& more) {
+    std::vector<std::string> command = {kCcmorse, "render", "syrotek"};
+    command.insert(command.end(), more.begin(), more.end());
+    const Finished run = RunToEnd(command);
+    EXPECT_NE(run.status, 0);
+    return run.output;
+  };
+  EXPECT_NE(output({"--camera", "behind"}).find("follow:NAME"), std::string::npos);
+  EXPECT_NE(output({"--size", "wide"}).find("1280x720"), std::string::npos);
+  EXPECT_NE(output({"--size", "0x9"}).find("width is 1 to 8192"), std::string::npos);
+  EXPECT_NE(output({"--at", "1", "2", "3"}).find("--from"), std::string::npos);
 }
 
 const std::string kWorlds = CCMORSE_SOURCE_DIR "/tests/worlds/";
