@@ -4,6 +4,7 @@
 
 #include "libCCMorse/LaserProxy.h"
 #include "libCCMorse/MorseActuator.h"
+#include "libCCMorse/MorseArena.h"
 #include "libCCMorse/MorseClient.h"
 #include "libCCMorse/MorseDevice.h"
 #include "libCCMorse/MorseDriver.h"

@@ -93,6 +93,8 @@ class MorseArgs {
   MorseArgs& Add(const std::string& value);
   /// A nested list.
   MorseArgs& Add(const MorseArgs& list);
+  /// Any value, such as an object; null where it is none.
+  MorseArgs& Add(const MorseValue& value);
 
   /// "" without arguments, else the JSON list.
   std::string ToString() const;

@@ -145,7 +145,8 @@ class Tracer {
   };
 
   void Start(int x, int y) {
-    const auto pixel = static_cast<std::uint32_t>(y * options_.width + x);
+    const auto pixel = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(options_.width) +
+                       static_cast<std::uint32_t>(x);
     const Vec2 at = sampler_(pixel, sample_, kOfPixel);
     const double half = options_.height / 2.0;
     Path path;

@@ -16,6 +16,7 @@
 #include "base/trig.h"
 #include "scene/field.h"
 #include "scene/mesh.h"
+#include "scene/obstacle_rules.h"
 #include "scene/robots.h"
 #include "scene/world_file.h"
 #include "scene/world_folders.h"
@@ -84,43 +85,6 @@ World ReadWorldChoice(const Field& field) {
     if (std::filesystem::is_regular_file(path, ignored)) throw;
     name.Fail(error.what());
   }
-}
-
-std::string DynamicIds(const World& world) {
-  std::string ids;
-  for (const Box& box : world.boxes) {
-    if (box.dynamic) ids += (ids.empty() ? "" : ", ") + std::to_string(box.id);
-  }
-  return ids.empty() ? "this world has none" : "dynamic are " + ids;
-}
-
-void SetObstacles(const Field& list, bool raised, World& world, std::map<int, bool>& set) {
-  for (const Field& item : list.Items()) {
-    const auto id = static_cast<int>(item.Integer(1, 1000000));
-    const auto box = std::find_if(world.boxes.begin(), world.boxes.end(),
-                                  [id](const Box& candidate) { return candidate.id == id; });
-    if (box == world.boxes.end()) {
-      item.FailHere(fmt::format("is {}, which is no obstacle of world '{}'; {}", id, world.name,
-                                DynamicIds(world)));
-    }
-    if (!box->dynamic) {
-      item.FailHere(fmt::format("is {}, a box of kind '{}', which cannot be moved; {}", id,
-                                box->kind, DynamicIds(world)));
-    }
-    const auto [earlier, is_new] = set.emplace(id, raised);
-    if (!is_new && earlier->second != raised) {
-      item.FailHere(fmt::format("is {}, which is also in 'up'; remove one", id));
-    }
-    box->raised = raised;
-  }
-}
-
-void ReadObstacles(const Field& field, World& world) {
-  ObjectReader reader(field);
-  std::map<int, bool> set;
-  if (reader.Has("up")) SetObstacles(reader.Require("up"), true, world, set);
-  if (reader.Has("down")) SetObstacles(reader.Require("down"), false, world, set);
-  reader.Finish();
 }
 
 // The scanner of SyRoTek's robots as Hokuyo sells it (SCIP 2.0 manual: 1024 steps a turn, 682 of
@@ -693,7 +657,9 @@ Scenario ReadScenario(const Json& json, const std::string& file) {
     const Json world = Json::Parse(kDefaultWorld);
     scenario.world = ReadWorldChoice(Field(world, "world", file));
   }
-  if (reader.Has("obstacles")) ReadObstacles(reader.Require("obstacles"), scenario.world);
+  if (reader.Has("obstacles")) {
+    scenario.obstacles = ReadObstacles(reader.Require("obstacles"), scenario.world);
+  }
   if (reader.Has("robots")) {
     ReadRobots(reader.Require("robots"), scenario);
   } else {
@@ -841,17 +807,13 @@ std::vector<std::string> DevicesFor(const RobotDef& robot, const std::string& in
 }
 
 Json ToJson(const Scenario& scenario) {
-  Json::Array up;
-  for (const Box& box : scenario.world.boxes) {
-    if (box.dynamic && box.raised) up.emplace_back(box.id);
-  }
   Json::Array robots;
   for (const RobotDef& robot : scenario.robots) robots.push_back(RobotToJson(robot));
   const CanvasDef& canvas = scenario.canvas;
   const TimeDef& time = scenario.time;
   Json::Object object = {
       {"world", WorldToJson(scenario.world)},
-      {"obstacles", Json::Object{{"up", std::move(up)}}},
+      {"obstacles", ObstaclesToJson(scenario.obstacles, scenario.world)},
       {"robots", std::move(robots)},
       {"canvas", Json::Object{{"width", canvas.width},
                               {"height", canvas.height},

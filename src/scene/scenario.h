@@ -204,11 +204,58 @@ struct TimeDef {
   double end = 0.0;              ///< s of simulated time after which a run stops; 0: never
 };
 
+/// What is done to dynamic boxes at once (thesis 5.1: the arena controller): first the preset, then
+/// the lists.
+struct ObstacleAction {
+  std::string preset;       ///< "": none
+  std::vector<int> up;      ///< ids that rise
+  std::vector<int> down;    ///< ids that go down
+  std::vector<int> toggle;  ///< ids that do the one or the other
+  std::string say;          ///< a line for the log; "": none
+};
+
+/// An action by time (N03).
+struct ObstacleTimer {
+  double at = 0.0;     ///< s of simulated time, >= 0
+  double every = 0.0;  ///< s, > 0, until it happens again; 0: it does not
+  ObstacleAction action;
+};
+
+/// An action whenever a robot's origin comes into a region (N04).
+struct ObstacleTrap {
+  std::string name;          ///< for the log
+  std::vector<Vec2> region;  ///< m, 3..64 corners of a polygon
+  std::string robot;         ///< only this one; "": any
+  bool once = false;         ///< the first time only
+  ObstacleAction action;
+};
+
+/// How a dynamic box moves: evenly from point to point. Where a robot is in its way it waits.
+struct ObstaclePath {
+  int box = 0;  ///< id
+  struct Point {
+    double time = 0.0;  ///< s of simulated time, growing
+    Pose2 pose;         ///< m and rad
+  };
+  std::vector<Point> points;  ///< two or more
+  bool repeat = false;        ///< starts anew at the last point's time
+};
+
+/// What happens to dynamic boxes during a run.
+struct ObstacleRules {
+  std::map<std::string, std::vector<int>>
+      presets;  ///< name -> ids that are up, all others down (N02)
+  std::vector<ObstacleTimer> timers;
+  std::vector<ObstacleTrap> traps;
+  std::vector<ObstaclePath> paths;
+};
+
 /// Everything a run starts from. The defaults are those of an empty file: the SyRoTek arena with
 /// all dynamic obstacles down and one S1R in it.
 struct Scenario {
   std::string name;  ///< file name without folder and ending
   World world;
+  ObstacleRules obstacles;
   std::vector<RobotDef> robots;
   CanvasDef canvas;
   CameraDef camera;

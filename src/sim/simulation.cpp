@@ -32,6 +32,7 @@ Simulation::Simulation(scene::Scenario scenario, int threads, bool share_all)
     robots_.push_back(std::make_unique<Robot>(def, static_cast<int>(robots_.size())));
   }
   motion_.emplace(world_, robots_, share_all ? 1 : kSharedMotion);
+  arena_.emplace(world_, robots_, scenario_.obstacles);
   std::vector<const Robot*> seen;
   for (const auto& robot : robots_) seen.push_back(robot.get());
   world_.SetRobots(seen);
@@ -93,6 +94,7 @@ void Simulation::Act() {
   if (physics_) {
     motion_->Step(now, pool_);
     world_.RobotsMoved();
+    arena_->Step(now);
   }
   ++tick_;
 }
@@ -114,6 +116,7 @@ Component* Simulation::FindComponent(std::string_view full_name) const {
 
 void Simulation::ResetObjects() {
   for (const auto& robot : robots_) robot->Reset();
+  arena_->Reset();
   world_.RobotsMoved();
 }
 
@@ -122,6 +125,7 @@ std::uint64_t Simulation::Hash() const {
   hash.Add(tick_);
   for (const auto& robot : robots_) hash.Add(robot->hash().value());
   canvas_.AddToHash(hash);
+  if (arena_->hash() != 0) hash.Add(arena_->hash());
   return hash.value();
 }
 

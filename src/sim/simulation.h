@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/scenario.h"
+#include "sim/arena_controller.h"
 #include "sim/canvas.h"
 #include "sim/component.h"
 #include "sim/physics/fleet_motion.h"
@@ -57,8 +58,11 @@ class Simulation {
   Canvas& canvas() { return canvas_; }
   const Canvas& canvas() const { return canvas_; }
 
-  /// Robots and devices as at the start; time goes on (MORSE's reset_objects). Boxes stay as they
-  /// are: it is for the caller not to have raised one where a robot starts.
+  /// What raises, lowers and moves dynamic boxes.
+  ArenaController& arena() { return *arena_; }
+  const ArenaController& arena() const { return *arena_; }
+
+  /// Robots, devices and dynamic boxes as at the start; time goes on (MORSE's reset_objects).
   void ResetObjects();
 
   /// With physics off, actuators act but nothing moves (MORSE's suspend_dynamics).
@@ -80,6 +84,7 @@ class Simulation {
   WorkerPool pool_;
   std::int64_t shared_from_;  // work of a tick's sensors, Sensor::Work()
   std::optional<FleetMotion> motion_;
+  std::optional<ArenaController> arena_;
   std::uint64_t tick_ = 0;
   bool physics_ = true;
 };

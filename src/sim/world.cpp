@@ -47,18 +47,34 @@ void World::CollectObstacles() {
   ++revision_;
 }
 
-void World::SetRaised(int box_id, bool raised) {
+const scene::Box* World::FindBox(int box_id) const {
   const auto box = std::find_if(scene_.boxes.begin(), scene_.boxes.end(),
                                 [box_id](const scene::Box& b) { return b.id == box_id; });
-  if (box == scene_.boxes.end()) {
-    throw Error("the world has no box with id " + std::to_string(box_id));
-  }
+  return box != scene_.boxes.end() ? &*box : nullptr;
+}
+
+scene::Box& World::DynamicBox(int box_id) {
+  const scene::Box* const box = FindBox(box_id);
+  if (box == nullptr) throw Error("the world has no box with id " + std::to_string(box_id));
   if (!box->dynamic) {
     throw Error("box " + std::to_string(box_id) + " is " + box->kind + " and cannot be moved");
   }
-  box->raised = raised;
+  return scene_.boxes[static_cast<std::size_t>(box - scene_.boxes.data())];
+}
+
+void World::BoxesChanged() {
   CollectObstacles();
   for (const auto& cut : cuts_) FillBoxes(*cut);
+}
+
+void World::SetRaised(int box_id, bool raised) {
+  DynamicBox(box_id).raised = raised;
+  BoxesChanged();
+}
+
+void World::SetBoxPose(int box_id, const Pose2& pose) {
+  DynamicBox(box_id).pose = pose;
+  BoxesChanged();
 }
 
 void World::FillBoxes(Cut& cut) const {

@@ -32,6 +32,11 @@ class World {
   /// to. Throws Error on an unknown id or one that cannot move.
   void SetRaised(int box_id, bool raised);
 
+  /// Puts a dynamic box somewhere else, likewise.
+  void SetBoxPose(int box_id, const Pose2& pose);
+  /// A box by id; nullptr when there is none.
+  const scene::Box* FindBox(int box_id) const;
+
   /// The boxes that stand, and what of meshes is in the way, as obstacles to motion.
   std::span<const Obstacle> obstacles() const { return obstacles_; }
 
@@ -92,6 +97,8 @@ class World {
   void FillBoxes(Cut& cut) const;
   void CutRobots() const;
   void CollectObstacles();
+  scene::Box& DynamicBox(int box_id);
+  void BoxesChanged();
 
   scene::World scene_;
   std::vector<Obstacle> obstacles_;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include "libCCMorse/CCMorse.h"
 #include "tests/support/line_client.h"
@@ -294,6 +295,95 @@ TEST(X39, ProxiesMayOutliveTheirClient) {
   client.reset();
   EXPECT_EQ(laser.GetCount(), 682U);
   position.SetSpeed(0.1, 0.1);
+}
+
+// The arena controller (thesis 5.1), from a program; tests/sim/arena_test.cpp has the rest of it.
+TEST(N01, AProgramRaisesAndLowersObstacles) {
+  Rig rig("syrotek");
+  MorseArena arena(MorseClient::GetInstance());
+  const std::vector<MorseObstacle> obstacles = arena.GetObstacles();
+  ASSERT_GE(obstacles.size(), 17U);
+  const int id = obstacles.front().id;
+  EXPECT_FALSE(arena.IsRaised(id));
+  EXPECT_TRUE(arena.Raise({id}).empty());
+  EXPECT_TRUE(arena.IsRaised(id));
+  arena.Toggle({id});
+  EXPECT_FALSE(arena.IsRaised(id));
+  arena.Raise({id});
+  arena.Lower({id});
+  EXPECT_FALSE(arena.IsRaised(id));
+  EXPECT_THROW(arena.Raise({1000}), MorseError);
+  EXPECT_THROW(arena.IsRaised(1000), MorseError);
+}
+
+TEST(N01, AnObstacleUnderARobotWaits) {
+  Rig rig("syrotek");
+  rig.client.Read();
+  MorseArena arena(MorseClient::GetInstance());
+  const int id = arena.GetObstacles().front().id;
+  player_pose2d_t here{};
+  here.px = rig.position.GetXPos();
+  here.py = rig.position.GetYPos();
+  arena.Move(id, here);  // it is down
+  EXPECT_EQ(arena.Raise({id}), std::vector<int>{id});
+  EXPECT_THROW(arena.Move(1000, here), MorseError);
+  EXPECT_TRUE(arena.GetObstacles().front().waiting);
+}
+
+TEST(N02, AProgramKeepsAndLoadsPresets) {
+  Rig rig("syrotek");
+  MorseArena arena(MorseClient::GetInstance());
+  const std::vector<MorseObstacle> obstacles = arena.GetObstacles();
+  const std::vector<int> some = {obstacles[0].id, obstacles[1].id};
+  arena.Raise(some);
+  EXPECT_EQ(arena.SavePreset("some"), some);
+  arena.Lower(some);
+  arena.LoadPreset("some");
+  EXPECT_TRUE(arena.IsRaised(some[1]));
+  EXPECT_EQ(arena.GetPresets().at("some"), some);
+  EXPECT_THROW(arena.LoadPreset("none"), MorseError);
+}
+
+TEST(N03, AProgramSetsATimer) {
+  Rig rig("syrotek");
+  MorseArena arena(MorseClient::GetInstance());
+  const int id = arena.GetObstacles().front().id;
+  MorseObstacleAction action;
+  action.up = {id};
+  arena.AddTimer(1.0, action);
+  while (rig.laser.GetDataTime() < 0.95) rig.client.Read();
+  EXPECT_FALSE(arena.IsRaised(id));
+  while (rig.laser.GetDataTime() < 1.15) rig.client.Read();
+  EXPECT_TRUE(arena.IsRaised(id));
+}
+
+TEST(N04, AProgramSetsATrap) {
+  Rig rig("syrotek");
+  MorseArena arena(MorseClient::GetInstance());
+  const int id = arena.GetObstacles().front().id;
+  rig.client.Read();
+  MorseObstacleAction action;
+  action.up = {id};
+  const double x = rig.position.GetXPos();
+  const double y = rig.position.GetYPos();
+  const auto corner = [&](double dx, double dy) {
+    player_point_2d_t point{};
+    point.px = x + dx;
+    point.py = y + dy;
+    return point;
+  };
+  // All around where the robot is, but for 5 cm: any way leads into one of the halves.
+  arena.AddTrap("left", {corner(-2, -2), corner(-0.05, -2), corner(-0.05, 2), corner(-2, 2)},
+                action);
+  arena.AddTrap("right", {corner(0.05, -2), corner(2, -2), corner(2, 2), corner(0.05, 2)}, action);
+  rig.client.Read();
+  EXPECT_FALSE(arena.IsRaised(id));
+  rig.position.SetMotorEnable(true);
+  for (int i = 0; i < 30; ++i) {
+    rig.position.SetSpeed(0.2, 0.0);
+    rig.client.Read();
+  }
+  EXPECT_TRUE(arena.IsRaised(id));
 }
 
 }  // namespace

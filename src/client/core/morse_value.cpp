@@ -181,6 +181,12 @@ MorseArgs& MorseArgs::Add(const MorseArgs& list) {
   return *this;
 }
 
+MorseArgs& MorseArgs::Add(const MorseValue& value) {
+  Separate();
+  items_ += value.ToString();
+  return *this;
+}
+
 std::string MorseArgs::ToString() const { return items_.empty() ? "" : ToList(); }
 
 }  // namespace CCMorse

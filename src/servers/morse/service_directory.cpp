@@ -9,6 +9,7 @@
 #include "base/log.h"
 #include "base/polygon.h"
 #include "base/trig.h"
+#include "servers/morse/arena_services.h"
 
 namespace ccmorse::servers {
 namespace {
@@ -96,6 +97,7 @@ ServiceDirectory::ServiceDirectory(sim::Simulation& simulation, RunControl contr
   AddSimulationServices();
   AddTimeServices();
   AddCommunicationServices();
+  for (Service& service : ArenaServices(simulation_)) Add("arena", std::move(service));
 }
 
 bool ServiceDirectory::HasStream(const sim::Component& component) {
