@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
@@ -107,6 +108,9 @@ class Runner {
   bool Over() const;
 
   boost::asio::io_context io_;
+  // Where no port is open, nobody may be there to wait for; still the loop has to wait.
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
+      io_.get_executor()};
   sim::Simulation& simulation_;
   RunOptions options_;
   ServiceDirectory directory_;
