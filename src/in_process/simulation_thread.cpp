@@ -73,7 +73,7 @@ SimulationThread::SimulationThread(Options options) : options_(std::move(options
 }
 
 SimulationThread::~SimulationThread() {
-  runner_->Stop();
+  runner_->StopAtOnce();
   Join();
 }
 

@@ -612,32 +612,34 @@ Connection::Outcome Connection::Wait(const std::shared_ptr<Batch>& batch, const 
   const auto start = Clock::now();
   auto deadline = start + Seconds(patience.timeout);
   Clock::time_point pinged{};  // when the last ping left; before last_heard when it was answered
+  bool looked = false;         // for what has come, since the time was up
   while (batch->missing > 0) {
     if (!impl_->error.empty()) throw MorseError(impl_->error, function);
     if (patience.abandon && *patience.abandon) return Outcome::kAbandoned;
     const auto now = Clock::now();
     const auto heard = std::max(start, impl_->last_heard);
-    Clock::time_point until;
-    if (patience.timeout > 0.0) {
-      if (impl_->reading) deadline = now + Seconds(patience.timeout);
-      if (now >= deadline) return Outcome::kTimeout;
-      until = deadline;
-    } else if (patience.silence > 0.0) {
-      until = heard + Seconds(patience.silence);
-      if (now >= until) return Outcome::kTimeout;
-    } else if (pinged > heard) {
-      until = pinged + kSilenceAfterPing;
-      if (now >= until) {
+    const bool to_answer_ping = pinged > heard;
+    if (impl_->reading) deadline = now + Seconds(patience.timeout);
+    Clock::time_point until = patience.timeout > 0.0   ? deadline
+                              : patience.silence > 0.0 ? heard + Seconds(patience.silence)
+                              : to_answer_ping         ? pinged + kSilenceAfterPing
+                                                       : heard + kSilenceBeforePing;
+    const bool late = now >= until;
+    // It may be this thread that is late, on a busy machine, and the answer is there.
+    if (late && !std::exchange(looked, true)) {
+      impl_->PumpOnce(lock, now);
+      continue;
+    }
+    looked = late;
+    if (late) {
+      if (patience.timeout > 0.0 || patience.silence > 0.0) return Outcome::kTimeout;
+      if (to_answer_ping) {
         impl_->Fail("the simulator at " + impl_->address + " does not answer any more");
         continue;
       }
-    } else {
-      until = heard + kSilenceBeforePing;
-      if (now >= until) {
-        impl_->SendPing();
-        pinged = now;
-        until = pinged + kSilenceAfterPing;
-      }
+      impl_->SendPing();
+      pinged = now;
+      until = pinged + kSilenceAfterPing;
     }
     impl_->PumpOnce(lock, until, patience.expected);
   }

@@ -35,8 +35,10 @@ namespace {
 
 constexpr double kMorseTick = 1.0 / 60.0;  // s; MORSE's default frequency
 constexpr double kConnectSilence = 1.9;    // s without any answer while connecting
-constexpr double kRequestTimeout = 5.0;    // s, Player's default
-constexpr double kCloseTimeout = 0.5;      // s for the last commands
+// The same within the program, where it is known who is there: only a busy machine is that slow.
+constexpr double kInProcessSilence = 30.0;
+constexpr double kRequestTimeout = 5.0;  // s, Player's default
+constexpr double kCloseTimeout = 0.5;    // s for the last commands
 constexpr char kReadFunction[] = "MorseClient::Read()";
 
 constexpr int kUnknownInterface = 0xFFFF;
@@ -330,10 +332,14 @@ struct MorseClient::Impl {
     }
   }
 
+  double ConnectSilence() const {
+    return core::IsInProcess(host) ? kInProcessSilence : kConnectSilence;
+  }
+
   std::vector<Reply> Ask(const std::vector<core::Request>& requests) {
     const auto batch = connection.Send(requests);
     Connection::Patience patience;
-    patience.silence = kConnectSilence;
+    patience.silence = ConnectSilence();
     if (connection.Wait(batch, patience, "MorseClient::MorseClient()") !=
         Connection::Outcome::kDone) {
       throw MorseError("cannot connect to " + core::AddressText(host, port) +
@@ -466,7 +472,7 @@ void MorseClient::Connect() {
   }
   if (fast) {
     Connection::Patience patience;
-    patience.silence = kConnectSilence;
+    patience.silence = impl.ConnectSilence();
     impl.connection.StartFastLink(patience, kFunction);
   }
 }
