@@ -24,7 +24,7 @@ struct Options {
   std::string out = ".";              ///< folder for pictures that clients save
   std::string record;                 ///< MCAP file; "": none
   std::string report;                 ///< JSON file; "": none
-  LogLevel log = LogLevel::kOff;      ///< lines on stderr, of all simulations of the program
+  std::optional<LogLevel> log;        ///< lines on stderr, of all simulations of the program
   std::string name;                   ///< tells simulations of one scenario apart
 };
 

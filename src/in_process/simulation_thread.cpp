@@ -41,7 +41,9 @@ servers::Pace PaceOf(const scene::Scenario& scenario) {
 }  // namespace
 
 SimulationThread::SimulationThread(Options options) : options_(std::move(options)) {
-  SetLogLevel(options_.log);
+  // Nothing is printed unless one of the simulations has asked for it.
+  static const bool quiet = (SetLogLevel(LogLevel::kOff), true);
+  if (quiet && options_.log) SetLogLevel(*options_.log);
   scene::ImportedScenario imported = scene::ImportScenario(scene::FindScenario(options_.scenario));
   for (const scene::FileNote& note : imported.notes) {
     if (note.matters) LogWarning("{}: {}", note.at.Text(), note.text);
