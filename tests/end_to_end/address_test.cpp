@@ -30,7 +30,6 @@ using CCMorse::MorseClient;
 using CCMorse::MorseError;
 using testing::BuiltProgram;
 using testing::Finished;
-using testing::Process;
 using testing::RunToEnd;
 using testing::Simulator;
 using testing::TemporaryFile;
