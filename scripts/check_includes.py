@@ -23,6 +23,7 @@ MAY_INCLUDE = {
     "sim": ["scene", "base"],
     "render": ["sim", "scene", "base"],
     "servers": ["sim", "scene", "navigation", "wire", "base"],
+    "in_process": ["servers", "sim", "scene", "wire", "base"],
     "tools": ["servers", "render", "sim", "scene", "wire", "base"],
     # Programs that `ccmorse bench` executes: they measure what it may not include, the client
     # library and Embree itself.
@@ -47,7 +48,7 @@ CLIENT_FOLDER_LAYER = {"client/core": 0, "client/morse": 1, "client/player": 3, 
 
 # Heavy headers and the only files that may include them.
 HEAVY = {
-    "boost/": r"src/(servers|client/core)/.*|src/tools/stop_signals\.(h|cpp)",
+    "boost/": r"src/(servers|in_process|client/core)/.*|src/tools/stop_signals\.(h|cpp)",
     "embree3/": r"src/sim/rays/embree_scene\.cpp|src/bench/embree_bench\.cpp",
     "CLI/": r"src/tools/main\.cpp",
     "spdlog/": r"src/base/log\.cpp",

@@ -31,14 +31,17 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
  public:
   /// The client of this address; connects when there is none yet. It stays connected until Close()
   /// or the end of the program. `port` 1..65535; CCMORSE_HOST and CCMORSE_PORT as for PlayerClient,
-  /// so the host and port that the client then has may be others. Throws MorseError within 2 s when
-  /// nobody answers.
-  static MorseClient& GetInstance(const std::string& host, int port);
+  /// so the host and port that the client then has may be others. `host` may be an address as well:
+  /// "morse://HOST:PORT", or "sim:SCENARIO?option=value", a simulation within the program that
+  /// starts with its first client and ends with the last (docs/player.md); then `port` has no
+  /// meaning. Throws MorseError within 2 s when nobody answers; a simulation within the program
+  /// takes as long as it takes to build.
+  static MorseClient& GetInstance(const std::string& host, int port = 4000);
   /// The client that was made last. Throws MorseError when there is none.
   static MorseClient& GetInstance();
   /// As GetInstance(host, port), but counted: the connection closes when the last of those who
   /// share it lets go. This is what PlayerClient holds.
-  static std::shared_ptr<MorseClient> Share(const std::string& host, int port);
+  static std::shared_ptr<MorseClient> Share(const std::string& host, int port = 4000);
 
   /// As Close().
   ~MorseClient();

@@ -32,7 +32,8 @@ class Mutex {
 };
 
 /// The connection to a server (specs: player.md A.4). The address decides what is spoken:
-/// "player://HOST:PORT" Player's protocol, "morse://HOST:PORT" that of ccmorse and MORSE. With a
+/// "player://HOST:PORT" Player's protocol, "morse://HOST:PORT" that of ccmorse and MORSE;
+/// "sim:SCENARIO?option=value" is a simulation within the program (docs/player.md). With a
 /// plain host and port a server that greets as Player's do is one, anything else is a simulator;
 /// see docs/player.md.
 ///
@@ -90,7 +91,7 @@ class PlayerClient {
   /// The devices as of RequestDeviceList(); those of a simulator are known from the start.
   std::list<playerc_device_info_t> GetDeviceList();
 
-  std::string GetHostname() const;         ///< without the "player://"
+  std::string GetHostname() const;         ///< without the "player://"; "sim:..." all of it
   std::uint32_t GetPort() const;           ///< the server's port
   int LookupCode(std::string name) const;  ///< 6 for "laser"; 0xFFFF when there is no such
   std::string LookupName(int code) const;  ///< "laser" for 6; "unknown" when there is no such

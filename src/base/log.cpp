@@ -17,9 +17,11 @@ spdlog::level::level_enum ToSpdlog(LogLevel level) {
     case LogLevel::kWarning:
       return spdlog::level::warn;
     case LogLevel::kError:
+      return spdlog::level::err;
+    case LogLevel::kOff:
       break;
   }
-  return spdlog::level::err;
+  return spdlog::level::off;
 }
 
 spdlog::logger& Logger() {

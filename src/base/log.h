@@ -7,9 +7,9 @@
 
 namespace ccmorse {
 
-enum class LogLevel { kDebug, kInfo, kWarning, kError };
+enum class LogLevel { kDebug, kInfo, kWarning, kError, kOff };
 
-/// Lines below this level are dropped; kInfo at start. Thread safe.
+/// Lines below this level are dropped, with kOff all; kInfo at start. Thread safe.
 void SetLogLevel(LogLevel level);
 
 /// Writes one line "[warning] text" to stderr, flushed. Thread safe. Log through the functions

@@ -1,3 +1,4 @@
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -82,12 +83,24 @@ std::vector<std::string> WorldFolders() {
   if (const char* const chosen = std::getenv("CCMORSE_WORLDS"); chosen != nullptr && *chosen) {
     folders.emplace_back(chosen);
   }
-  // An installed program's own worlds come before those of the tree it was built from.
+  // Worlds that are installed with the program come before those of the tree it was built from.
+  const fs::path installed = fs::path("share") / "ccmorse" / "worlds";
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
-    const fs::path prefix = program.parent_path().parent_path();
-    folders.push_back((prefix / "share" / "ccmorse" / "worlds").string());
+    folders.push_back((program.parent_path().parent_path() / installed).string());
+  }
+  // Within another program this is a library: PREFIX/lib/libX.so, or PREFIX/lib/TRIPLET/libX.so.
+  Dl_info own{};
+  if (::dladdr(reinterpret_cast<const void*>(&WorldFolders), &own) != 0) {
+    const fs::path library = fs::weakly_canonical(own.dli_fname, error);
+    const fs::path prefix = library.parent_path().parent_path();
+    const bool in_library = !error && library.filename().string().starts_with("lib");
+    for (const fs::path& each : {prefix, prefix.parent_path()}) {
+      if (in_library && fs::is_directory(each / installed, error)) {
+        folders.push_back((each / installed).string());
+      }
+    }
   }
   folders.emplace_back(CCMORSE_SOURCE_WORLDS);
   folders.emplace_back(CCMORSE_INSTALL_WORLDS);

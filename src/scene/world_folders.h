@@ -6,7 +6,8 @@
 namespace ccmorse::scene {
 
 /// The folders that hold worlds, in the order they are looked in, whether they exist or not:
-/// $CCMORSE_WORLDS, the source tree, beside the running program, and where it was to be installed.
+/// $CCMORSE_WORLDS, beside the running program, beside the library that this code is in, the source
+/// tree, and where it was to be installed.
 std::vector<std::string> WorldFolders();
 
 /// The file of the world called `name`: NAME/models/arena.json in a world folder; "" when there is

@@ -151,6 +151,11 @@ void Runner::Stop() {
   boost::asio::post(io_, [] {});  // wakes a Run() that waits
 }
 
+void Runner::StopAtOnce() {
+  at_once_ = true;
+  Stop();
+}
+
 void Runner::StopAfterClients() {
   if (options_.pace != Pace::kLockstep) return Stop();
   if (patience_) return;
@@ -283,7 +288,7 @@ void Runner::LetClientsFinish() {
   }
   const auto until = WallClock::now() + kFarewell;
   io_.restart();
-  while (HasReaders() && io_.run_one_until(until) > 0) {
+  while (!at_once_ && HasReaders() && io_.run_one_until(until) > 0) {
   }
   // Replies under way, such as that to `simulation quit`, still go out.
   for (int i = 0; i < kHandlersPerTick && io_.poll_one() > 0; ++i) {

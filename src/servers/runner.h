@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
@@ -65,6 +66,9 @@ class Runner {
   /// Ends Run() soon. May be called from a handler of io() or from any thread.
   void Stop();
 
+  /// As Stop(), but clients that wait are not waited for. From any thread.
+  void StopAtOnce();
+
   /// Lock-step: ends Run() as soon as every client has left and all that they sent has been taken
   /// in, so that the state at the end does not depend on who was faster; after 2 s at the latest.
   /// At another pace as Stop(). From a handler of io().
@@ -107,6 +111,9 @@ class Runner {
   bool Over() const;
 
   boost::asio::io_context io_;
+  // Where no port is open, nobody may be there to wait for; still the loop has to wait.
+  boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_{
+      io_.get_executor()};
   sim::Simulation& simulation_;
   RunOptions options_;
   ServiceDirectory directory_;
@@ -114,6 +121,7 @@ class Runner {
   std::unique_ptr<player::PlayerServer> player_;
   std::vector<ProtocolServer*> servers_;  // in the order in which they are told of anything
   std::atomic<bool> stop_ = false;
+  std::atomic<bool> at_once_ = false;
   boost::asio::steady_timer bell_{io_};
   bool bell_rang_ = false;
   std::optional<boost::asio::steady_timer> patience_;  // runs since StopAfterClients()

@@ -22,9 +22,9 @@
 #include "scene/scenario.h"
 #include "servers/player/mirror.h"
 #include "servers/record/recorder.h"
+#include "servers/run_report.h"
 #include "servers/runner.h"
 #include "servers/web/web_server.h"
-#include "sim/sensors/laser_scanner.h"
 #include "tools/stop_signals.h"
 #include "tools/top_view.h"
 
@@ -36,22 +36,6 @@ servers::Pace PaceFrom(const RunArguments& arguments, const scene::Scenario& sce
   if (name == "lockstep") return servers::Pace::kLockstep;
   if (name == "max") return servers::Pace::kMax;
   return servers::Pace::kRealTime;
-}
-
-// Makes the folder that a file is to be written into and tries to write there, so that a long run
-// cannot fail at its end.
-void PrepareFile(const std::string& file) {
-  if (file.empty()) return;
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  std::error_code failed;
-  if (!folder.empty()) std::filesystem::create_directories(folder, failed);
-  if (failed) throw Error("cannot make the folder for " + file + ": " + failed.message());
-  const bool existed = std::filesystem::exists(file, failed);
-  errno = 0;
-  if (!std::ofstream(file, std::ios::app)) {
-    throw Error("cannot write " + file + ": " + std::strerror(errno));
-  }
-  if (!existed) std::filesystem::remove(file, failed);
 }
 
 // Each file would be written over by the next.
@@ -66,46 +50,6 @@ void RequireDifferent(const std::vector<std::string>& files) {
                   files[i]);
     }
   }
-}
-
-struct LaserUse {
-  std::uint64_t scans = 0;
-  std::uint64_t used = 0;
-};
-
-LaserUse CountScans(const sim::Robot& robot, const servers::MorseServer& server) {
-  LaserUse use;
-  for (const sim::Sensor* sensor : robot.sensors()) {
-    if (dynamic_cast<const sim::LaserScanner*>(sensor) == nullptr) continue;
-    use.scans += sensor->samples();
-    use.used += server.SamplesUsed(sensor->full_name());
-  }
-  return use;
-}
-
-Json ReportJson(const sim::Simulation& simulation, const servers::MorseServer& server,
-                const servers::RunSummary& summary, servers::Pace pace) {
-  Json robots(Json::Object{});
-  for (const auto& robot : simulation.robots()) {
-    const LaserUse use = CountScans(*robot, server);
-    const Pose2& pose = robot->pose();
-    robots.Set(robot->name(),
-               Json::Object{{"distance", robot->tally().distance},
-                            {"contacts", static_cast<std::int64_t>(robot->tally().contacts)},
-                            {"stalled", robot->tally().stalled},
-                            {"scans", static_cast<std::int64_t>(use.scans)},
-                            {"scans_used", static_cast<std::int64_t>(use.used)},
-                            {"pose", Json::Array{pose.x, pose.y, pose.yaw}}});
-  }
-  return Json(Json::Object{
-      {"scenario", simulation.scenario().name},
-      {"pace", servers::PaceName(pace)},
-      {"ticks", static_cast<std::int64_t>(simulation.tick())},
-      {"simulated_s", summary.simulated},
-      {"wall_s", summary.wall},
-      {"real_time_factor", summary.wall > 0.0 ? summary.simulated / summary.wall : 0.0},
-      {"hash", fmt::format("{:016x}", simulation.Hash())},
-      {"robots", std::move(robots)}});
 }
 
 // The live view, unless it is not wanted or not safe.
@@ -157,7 +101,7 @@ void PrintReport(const sim::Simulation& simulation, const servers::MorseServer& 
   fmt::print("\n{:<12} {:>10} {:>9} {:>10} {:>12}\n", "robot", "driven", "contacts", "stalled",
              "scans used");
   for (const auto& robot : simulation.robots()) {
-    const LaserUse use = CountScans(*robot, server);
+    const servers::LaserUse use = servers::CountScans(*robot, server);
     fmt::print("{:<12} {:>8.3f} m {:>9} {:>8.2f} s {:>6}/{}\n", robot->name(),
                robot->tally().distance, robot->tally().contacts, robot->tally().stalled, use.used,
                use.scans);
@@ -251,9 +195,9 @@ int Run(const RunArguments& arguments) {
   options.morse.first_stream_port = arguments.stream_port;
   options.player = PlayerOptions(arguments);
   RequireDifferent({arguments.picture, arguments.report, arguments.record});
-  PrepareFile(arguments.picture);
-  PrepareFile(arguments.report);
-  PrepareFile(arguments.record);
+  servers::PrepareFile(arguments.picture);
+  servers::PrepareFile(arguments.report);
+  servers::PrepareFile(arguments.record);
   std::error_code failed;
   std::filesystem::create_directories(arguments.out, failed);
   if (failed) throw Error("cannot make the folder " + arguments.out + ": " + failed.message());
@@ -320,11 +264,8 @@ int Run(const RunArguments& arguments) {
 
   if (!arguments.quiet) PrintReport(simulation, runner.morse(), summary);
   if (!arguments.report.empty()) {
-    const std::string text = ReportJson(simulation, runner.morse(), summary, options.pace).Dump();
-    std::ofstream file(arguments.report);
-    if (!(file << text << "\n") || !file.flush()) {
-      throw Error("cannot write " + arguments.report + ": " + std::strerror(errno));
-    }
+    servers::WriteReport(servers::ReportJson(simulation, runner.morse(), summary, options.pace),
+                         arguments.report);
   }
   if (!arguments.picture.empty()) {
     WritePicture(simulation, arguments.picture);
@@ -351,7 +292,7 @@ int Convert(const ConvertArguments& arguments) {
     fmt::print("{}", text);
     return 0;
   }
-  PrepareFile(arguments.out);
+  servers::PrepareFile(arguments.out);
   std::ofstream file(arguments.out);
   if (!(file << text) || !file.flush()) {
     throw Error("cannot write " + arguments.out + ": " + std::strerror(errno));

@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -21,16 +19,15 @@
 #include <unordered_map>
 #include <utility>
 
+#include "client/core/address.h"
+#include "client/core/in_process.h"
 #include "client/core/tcp_connect.h"
 #include "libCCMorse/MorseError.h"
 #include "wire/fast_link.h"
 
 namespace CCMorse::core {
 
-namespace asio = boost::asio;
-using asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
-using ErrorCode = boost::system::error_code;
 
 namespace {
 
@@ -92,26 +89,43 @@ struct Connection::Impl {
     std::string service;
   };
 
-  Impl(const std::string& host, int port) : address(host + ":" + std::to_string(port)) {
-    if (port < 1 || port > 65535) {
-      throw MorseError("cannot connect to " + address + ": a port is a number from 1 to 65535",
-                       kConnectFunction);
+  Impl(const std::string& host, int port)
+      : address(AddressText(host, port)), wake_handle(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+    try {
+      if (wake_handle < 0) ThrowConnect(address, SystemText(errno));
+      Open(host, port);
+    } catch (...) {
+      if (wake_handle >= 0) ::close(wake_handle);
+      throw;
     }
-    if (const std::string reason = ConnectTcp(io, socket, host, port, kConnectLimit);
-        !reason.empty()) {
-      ThrowConnect(address, reason);
-    }
-    // Without it, the kernel holds small requests back for up to 40 ms.
-    ErrorCode ignored;
-    socket.set_option(tcp::no_delay(true), ignored);
-    handle = socket.native_handle();
-    wake_handle = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-    if (wake_handle < 0) ThrowConnect(address, SystemText(errno));
     last_heard = Clock::now();
   }
 
   ~Impl() {
     if (wake_handle >= 0) ::close(wake_handle);
+    CloseHandle();
+  }
+
+  void Open(const std::string& host, int port) {
+    if (IsInProcess(host)) {
+      InProcessSocket socket = ConnectInProcess(host, false, kConnectFunction);
+      handle = socket.handle;
+      simulation = std::move(socket.simulation);
+      return;
+    }
+    if (port < 1 || port > 65535) {
+      throw MorseError("cannot connect to " + address + ": a port is a number from 1 to 65535",
+                       kConnectFunction);
+    }
+    std::string reason;
+    handle = ConnectTcp(host, port, kConnectLimit, &reason);
+    if (handle < 0) ThrowConnect(address, reason);
+  }
+
+  // Nobody else uses the handle.
+  void CloseHandle() {
+    if (handle >= 0) ::close(std::exchange(handle, -1));
+    simulation.reset();  // which sees that its client has left
   }
 
   Impl(const Impl&) = delete;
@@ -424,10 +438,9 @@ struct Connection::Impl {
   }
 
   const std::string address;
-  asio::io_context io;  // for connecting only
-  tcp::socket socket{io};
-  int handle = -1;       // the socket's
-  int wake_handle = -1;  // an eventfd: wakes the pumping thread from its sleep
+  int wake_handle = -1;                   // an eventfd: wakes the pumping thread from its sleep
+  int handle = -1;                        // the socket
+  std::shared_ptr<InProcess> simulation;  // that the other end belongs to; nullptr: TCP
   std::atomic<bool> woken{false};
 
   // The pumping thread's.
@@ -599,32 +612,34 @@ Connection::Outcome Connection::Wait(const std::shared_ptr<Batch>& batch, const 
   const auto start = Clock::now();
   auto deadline = start + Seconds(patience.timeout);
   Clock::time_point pinged{};  // when the last ping left; before last_heard when it was answered
+  bool looked = false;         // for what has come, since the time was up
   while (batch->missing > 0) {
     if (!impl_->error.empty()) throw MorseError(impl_->error, function);
     if (patience.abandon && *patience.abandon) return Outcome::kAbandoned;
     const auto now = Clock::now();
     const auto heard = std::max(start, impl_->last_heard);
-    Clock::time_point until;
-    if (patience.timeout > 0.0) {
-      if (impl_->reading) deadline = now + Seconds(patience.timeout);
-      if (now >= deadline) return Outcome::kTimeout;
-      until = deadline;
-    } else if (patience.silence > 0.0) {
-      until = heard + Seconds(patience.silence);
-      if (now >= until) return Outcome::kTimeout;
-    } else if (pinged > heard) {
-      until = pinged + kSilenceAfterPing;
-      if (now >= until) {
+    const bool to_answer_ping = pinged > heard;
+    if (impl_->reading) deadline = now + Seconds(patience.timeout);
+    Clock::time_point until = patience.timeout > 0.0   ? deadline
+                              : patience.silence > 0.0 ? heard + Seconds(patience.silence)
+                              : to_answer_ping         ? pinged + kSilenceAfterPing
+                                                       : heard + kSilenceBeforePing;
+    const bool late = now >= until;
+    // It may be this thread that is late, on a busy machine, and the answer is there.
+    if (late && !std::exchange(looked, true)) {
+      impl_->PumpOnce(lock, now);
+      continue;
+    }
+    looked = late;
+    if (late) {
+      if (patience.timeout > 0.0 || patience.silence > 0.0) return Outcome::kTimeout;
+      if (to_answer_ping) {
         impl_->Fail("the simulator at " + impl_->address + " does not answer any more");
         continue;
       }
-    } else {
-      until = heard + kSilenceBeforePing;
-      if (now >= until) {
-        impl_->SendPing();
-        pinged = now;
-        until = pinged + kSilenceAfterPing;
-      }
+      impl_->SendPing();
+      pinged = now;
+      until = pinged + kSilenceAfterPing;
     }
     impl_->PumpOnce(lock, until, patience.expected);
   }
@@ -664,9 +679,8 @@ void Connection::Close(double patience) noexcept {
     const auto deadline = Clock::now() + Seconds(1.0);
     while (impl_->pumping && Clock::now() < deadline) impl_->changed.wait_until(lock, deadline);
     if (!impl_->pumping) {
-      ErrorCode ignored;
-      impl_->socket.shutdown(tcp::socket::shutdown_both, ignored);
-      impl_->socket.close(ignored);
+      ::shutdown(impl_->handle, SHUT_RDWR);
+      impl_->CloseHandle();
     }
   } catch (const std::exception&) {
     // Out of memory, or the mutex failed: the socket closes with the process at the latest.

@@ -43,10 +43,11 @@ struct Refusal {
   std::string reason;
 };
 
-/// A socket to MORSE's service port: numbered requests out, answers in by their numbers. It starts
-/// with MORSE's lines and may go over to the fast link's frames, in which the lines travel on. Any
-/// number of threads may use it at once. The thread that waits sends and receives by itself; when
-/// several wait, one of them pumps the socket for all, and the others sleep.
+/// A socket to MORSE's service port, or one like it of a simulation within the program: numbered
+/// requests out, answers in by their numbers. It starts with MORSE's lines and may go over to the
+/// fast link's frames, in which the lines travel on. Any number of threads may use it at once. The
+/// thread that waits sends and receives by itself; when several wait, one of them pumps the socket
+/// for all, and the others sleep.
 class Connection {
  public:
   /// The longest line that is accepted, bytes.
@@ -69,7 +70,8 @@ class Connection {
   };
   enum class Outcome { kDone, kTimeout, kAbandoned };
 
-  /// Connects within 2 s; throws MorseError.
+  /// Connects within 2 s; throws MorseError. A host "sim:..." is a simulation within the program,
+  /// which has its own time to start; it ends with the connection unless others use it.
   Connection(const std::string& host, int port);
   ~Connection();
   Connection(const Connection&) = delete;

@@ -35,8 +35,10 @@ namespace {
 
 constexpr double kMorseTick = 1.0 / 60.0;  // s; MORSE's default frequency
 constexpr double kConnectSilence = 1.9;    // s without any answer while connecting
-constexpr double kRequestTimeout = 5.0;    // s, Player's default
-constexpr double kCloseTimeout = 0.5;      // s for the last commands
+// The same within the program, where it is known who is there: only a busy machine is that slow.
+constexpr double kInProcessSilence = 30.0;
+constexpr double kRequestTimeout = 5.0;  // s, Player's default
+constexpr double kCloseTimeout = 0.5;    // s for the last commands
 constexpr char kReadFunction[] = "MorseClient::Read()";
 
 constexpr int kUnknownInterface = 0xFFFF;
@@ -57,6 +59,36 @@ struct Directory {
 Directory& TheDirectory() {
   static Directory directory;
   return directory;
+}
+
+// Host and port of whatever address a program gives.
+std::pair<std::string, int> ResolveAddress(const std::string& address, int port) {
+  constexpr char kFunction[] = "MorseClient::GetInstance()";
+  core::Location location = core::ParseAddress(address, port, kFunction);
+  if (location.scheme == "player") {
+    throw MorseError(address + " is a Player server's address; a PlayerClient speaks to those",
+                     kFunction);
+  }
+  if (location.scheme == "sim") return {location.host, location.port};
+  auto [host, number] = core::AddressFor(location.host, location.port);
+  if (core::IsInProcess(host)) number = 0;
+  return {host, number};
+}
+
+// At the program's end: what clients of simulations within it have queued is still done.
+void CloseInProcess() {
+  std::vector<std::shared_ptr<MorseClient>> clients;
+  Directory& directory = TheDirectory();
+  {
+    const std::lock_guard lock(directory.mutex);
+    for (const auto& [address, entry] : directory.entries) {
+      if (!core::IsInProcess(address.first)) continue;
+      if (const std::shared_ptr<MorseClient> client = entry.counted.lock()) {
+        clients.push_back(client);
+      }
+    }
+  }
+  for (const auto& client : clients) client->Close();
 }
 
 // Closes the client when the last of its sharers goes. Proxies keep the client object, not this.
@@ -300,13 +332,17 @@ struct MorseClient::Impl {
     }
   }
 
+  double ConnectSilence() const {
+    return core::IsInProcess(host) ? kInProcessSilence : kConnectSilence;
+  }
+
   std::vector<Reply> Ask(const std::vector<core::Request>& requests) {
     const auto batch = connection.Send(requests);
     Connection::Patience patience;
-    patience.silence = kConnectSilence;
+    patience.silence = ConnectSilence();
     if (connection.Wait(batch, patience, "MorseClient::MorseClient()") !=
         Connection::Outcome::kDone) {
-      throw MorseError("cannot connect to " + host + ":" + std::to_string(port) +
+      throw MorseError("cannot connect to " + core::AddressText(host, port) +
                            ": something listens there, but does not answer as a simulator does",
                        "MorseClient::MorseClient()");
     }
@@ -320,7 +356,7 @@ MorseClient::MorseClient(const std::string& host, int port)
 MorseClient::~MorseClient() { Close(); }
 
 std::shared_ptr<MorseClient> MorseClient::Share(const std::string& asked_host, int asked_port) {
-  const auto [host, port] = core::AddressFor(asked_host, asked_port);
+  const auto [host, port] = ResolveAddress(asked_host, asked_port);
   Directory& directory = TheDirectory();
   const std::lock_guard lock(directory.mutex);
   Directory::Entry& entry = directory.entries[{host, port}];
@@ -335,11 +371,13 @@ std::shared_ptr<MorseClient> MorseClient::Share(const std::string& asked_host, i
   std::shared_ptr<MorseClient> counted(share, client.get());
   entry.counted = counted;
   directory.last = counted;
+  // Behind what the simulator's library registered when it was opened, so that this comes first.
+  if (core::IsInProcess(host)) std::atexit(CloseInProcess);
   return counted;
 }
 
 MorseClient& MorseClient::GetInstance(const std::string& asked_host, int asked_port) {
-  const auto [host, port] = core::AddressFor(asked_host, asked_port);
+  const auto [host, port] = ResolveAddress(asked_host, asked_port);
   std::shared_ptr<MorseClient> client = Share(host, port);
   Directory& directory = TheDirectory();
   const std::lock_guard lock(directory.mutex);
@@ -372,7 +410,7 @@ void MorseClient::Connect() {
   const auto answer = [&](std::size_t i, const char* what) {
     const std::optional<MorseValue> value = ValueOf(replies[i]);
     if (!replies[i].success || !value) {
-      throw MorseError("cannot connect to " + impl.host + ":" + std::to_string(impl.port) +
+      throw MorseError("cannot connect to " + core::AddressText(impl.host, impl.port) +
                            ": simulation " + what + " was answered with " +
                            (replies[i].success ? "no JSON" : Reason(replies[i].text)),
                        kFunction);
@@ -434,7 +472,7 @@ void MorseClient::Connect() {
   }
   if (fast) {
     Connection::Patience patience;
-    patience.silence = kConnectSilence;
+    patience.silence = impl.ConnectSilence();
     impl.connection.StartFastLink(patience, kFunction);
   }
 }
@@ -522,7 +560,7 @@ bool MorseClient::Peek(int timeout_ms) {
   constexpr char kFunction[] = "MorseClient::Peek()";
   Impl& impl = *impl_;
   if (!Connected()) {
-    throw MorseError("there is no connection to " + impl.host + ":" + std::to_string(impl.port),
+    throw MorseError("there is no connection to " + core::AddressText(impl.host, impl.port),
                      kFunction);
   }
   const auto timeout = std::chrono::milliseconds(std::max(timeout_ms, 0));

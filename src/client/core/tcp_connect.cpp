@@ -1,6 +1,8 @@
 #include "client/core/tcp_connect.h"
 
 #include <boost/asio/connect.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <future>
 #include <memory>
 #include <thread>
@@ -51,11 +53,14 @@ Endpoints Resolve(const std::string& host, int port, std::chrono::milliseconds l
 
 }  // namespace
 
-std::string ConnectTcp(asio::io_context& io, tcp::socket& socket, const std::string& host, int port,
-                       std::chrono::milliseconds limit) {
+int ConnectTcp(const std::string& host, int port, std::chrono::milliseconds limit,
+               std::string* reason) {
   const auto deadline = std::chrono::steady_clock::now() + limit;
   const Endpoints endpoints = Resolve(host, port, limit);
-  if (!endpoints.reason.empty()) return endpoints.reason;
+  *reason = endpoints.reason;
+  if (!reason->empty()) return -1;
+  asio::io_context io;
+  tcp::socket socket(io);
   ErrorCode outcome = asio::error::would_block;
   asio::async_connect(socket, endpoints.found,
                       [&outcome](const ErrorCode& ec, const tcp::endpoint&) { outcome = ec; });
@@ -65,9 +70,19 @@ std::string ConnectTcp(asio::io_context& io, tcp::socket& socket, const std::str
     socket.close(ignored);
     io.restart();
     io.run();  // the cancelled connect still refers to `outcome`
-    return "no answer within " + std::to_string((limit.count() + 999) / 1000) + " s";
+    *reason = "no answer within " + std::to_string((limit.count() + 999) / 1000) + " s";
+    return -1;
   }
-  return outcome ? outcome.message() : "";
+  if (outcome) {
+    *reason = outcome.message();
+    return -1;
+  }
+  ErrorCode failed;
+  // Without it, the kernel holds small messages back for up to 40 ms.
+  socket.set_option(tcp::no_delay(true), failed);
+  const int handle = socket.release(failed);
+  if (failed) *reason = failed.message();
+  return failed ? -1 : handle;
 }
 
 }  // namespace CCMorse::core

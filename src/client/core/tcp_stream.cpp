@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <cerrno>
 #include <cstdint>
+#include <mutex>
+#include <utility>
 
+#include "client/core/address.h"
+#include "client/core/in_process.h"
 #include "client/core/tcp_connect.h"
 #include "libCCMorse/MorseError.h"
 
@@ -33,28 +35,40 @@ int MillisecondsUntil(Clock::time_point deadline) {
 }  // namespace
 
 struct TcpStream::Impl {
-  boost::asio::io_context io;
-  boost::asio::ip::tcp::socket socket{io};
+  Impl() = default;
+  ~Impl();
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
   int handle = -1;
   int wake = -1;
+  std::mutex mutex;                       // simulation
+  std::shared_ptr<InProcess> simulation;  // that the other end belongs to; nullptr: TCP
 };
 
 TcpStream::TcpStream(const std::string& host, int port, std::chrono::milliseconds limit,
                      const char* function)
     : impl_(std::make_unique<Impl>()) {
-  const std::string address = host + ":" + std::to_string(port);
-  const std::string reason = ConnectTcp(impl_->io, impl_->socket, host, port, limit);
-  if (!reason.empty()) throw MorseError("cannot connect to " + address + ": " + reason, function);
-  boost::system::error_code ignored;
-  // Without it, the kernel holds small messages back for up to 40 ms.
-  impl_->socket.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
-  impl_->handle = impl_->socket.native_handle();
+  if (IsInProcess(host)) {
+    InProcessSocket socket = ConnectInProcess(host, true, function);
+    impl_->handle = socket.handle;
+    impl_->simulation = std::move(socket.simulation);
+  } else {
+    std::string reason;
+    impl_->handle = ConnectTcp(host, port, limit, &reason);
+    if (impl_->handle < 0) {
+      throw MorseError("cannot connect to " + AddressText(host, port) + ": " + reason, function);
+    }
+  }
   impl_->wake = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   if (impl_->wake < 0) throw MorseError("no file descriptor is left", function);
 }
 
-TcpStream::~TcpStream() {
-  if (impl_->wake >= 0) ::close(impl_->wake);
+TcpStream::~TcpStream() = default;
+
+TcpStream::Impl::~Impl() {
+  if (wake >= 0) ::close(wake);
+  if (handle >= 0) ::close(handle);
 }
 
 TcpStream::Wait TcpStream::WaitFor(Clock::time_point deadline) {
@@ -100,6 +114,10 @@ void TcpStream::Wake() {
   [[maybe_unused]] const ssize_t written = ::write(impl_->wake, &one, sizeof one);
 }
 
-void TcpStream::Shutdown() { ::shutdown(impl_->handle, SHUT_RDWR); }
+void TcpStream::Shutdown() {
+  ::shutdown(impl_->handle, SHUT_RDWR);
+  const std::lock_guard lock(impl_->mutex);
+  impl_->simulation.reset();
+}
 
 }  // namespace CCMorse::core

@@ -8,13 +8,15 @@
 
 namespace CCMorse::core {
 
-/// A TCP connection that waits no longer than it is told to. One thread may receive while others
-/// send.
+/// A connection, over TCP or to a simulation within the program, that waits no longer than it is
+/// told to. One thread may receive while others send.
 class TcpStream {
  public:
   enum class Wait { kReady, kTimeout, kWoken, kLost };
 
-  /// Connects within `limit`; throws MorseError from `function` when that fails.
+  /// Connects within `limit`, to the port of a host or, where the host is an address "sim:...", to
+  /// a simulation within the program, which has its own time to start; throws MorseError from
+  /// `function` when that fails.
   TcpStream(const std::string& host, int port, std::chrono::milliseconds limit,
             const char* function);
   ~TcpStream();
@@ -29,7 +31,8 @@ class TcpStream {
   bool Send(std::string_view bytes);
   /// Ends a WaitFor() of another thread, or the next one.
   void Wake();
-  /// Shuts the connection down: every method fails from now on.
+  /// Shuts the connection down: every method fails from now on. A simulation within the program
+  /// ends, unless others use it.
   void Shutdown();
 
  private:

@@ -20,53 +20,29 @@ constexpr char kConstructor[] = "PlayerClient::PlayerClient()";
 constexpr auto kConnectLimit = std::chrono::seconds(5);
 // A Player server speaks at once, a simulator when it is spoken to.
 constexpr auto kGreetingLimit = std::chrono::milliseconds(200);
-constexpr int kMorsePort = 4000;
+static_assert(core::kPlayerPort == PlayerCc::PLAYER_PORTNUM);
 
-struct Location {
-  std::string scheme;  // "morse", "player", or none
-  std::string host;
-  int port;
-};
-
-// "player://host:6665", "morse://host", "host".
-Location Parse(const std::string& address, std::uint32_t port) {
-  Location location{"", address, static_cast<int>(port)};
-  const std::size_t mark = address.find("://");
-  if (mark == std::string::npos) return location;
-  location.scheme = address.substr(0, mark);
-  location.host = address.substr(mark + 3);
-  if (location.scheme != "morse" && location.scheme != "player") {
-    throw MorseError("an address begins with morse:// or player://, not " + location.scheme + "://",
-                     kConstructor);
+std::unique_ptr<PlayerBackend> OpenInProcess(const std::string& address) {
+  if (core::ParseInProcess(address, kConstructor).protocol == "player") {
+    return OpenPlayerServer(address, PlayerCc::PLAYER_PORTNUM);
   }
-  while (!location.host.empty() && location.host.back() == '/') location.host.pop_back();
-  const std::size_t colon = location.host.rfind(':');
-  if (colon == std::string::npos) {
-    if (location.scheme == "morse" && port == PlayerCc::PLAYER_PORTNUM) location.port = kMorsePort;
-    return location;
-  }
-  const std::string digits = location.host.substr(colon + 1);
-  if (digits.empty() || digits.size() > 5 ||
-      digits.find_first_not_of("0123456789") != std::string::npos) {
-    throw MorseError("there is no port in " + address, kConstructor);
-  }
-  location.port = std::stoi(digits);
-  location.host.resize(colon);
-  return location;
+  return OpenSimulator(address, 0);
 }
 
 }  // namespace
 
 std::unique_ptr<PlayerBackend> OpenBackend(const std::string& address, std::uint32_t port,
                                            bool simulator) {
-  const Location asked = Parse(address, port);
+  const core::Location asked = core::ParseAddress(address, static_cast<int>(port), kConstructor);
+  if (asked.scheme == "sim") return OpenInProcess(asked.host);
   if (asked.scheme == "morse") return OpenSimulator(asked.host, asked.port);
   if (asked.scheme == "player") {
     return OpenPlayerServer(asked.host, static_cast<std::uint32_t>(asked.port));
   }
   const auto [host, number] = core::AddressFor(asked.host, asked.port);
+  if (core::IsInProcess(host)) return OpenInProcess(host);
   const bool here = host == "localhost" || host == "127.0.0.1";
-  if (here && (simulator || number == kMorsePort)) {
+  if (here && (simulator || number == core::kMorsePort)) {
     try {
       return OpenSimulator(host, number);
     } catch (const MorseError& error) {

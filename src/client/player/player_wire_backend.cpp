@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "client/core/address.h"
 #include "client/core/tcp_connect.h"
 #include "libCCMorse/MorseError.h"
 #include "wire/player/frame.h"
@@ -350,7 +351,7 @@ class WireBackend final : public PlayerBackend {
     wire::Bytes body;
   };
 
-  std::string Where() const { return host_ + ":" + std::to_string(port_) + ": "; }
+  std::string Where() const { return core::AddressText(host_, static_cast<int>(port_)) + ": "; }
 
   std::shared_ptr<core::TcpStream> Dial() const {
     return std::make_shared<core::TcpStream>(host_, static_cast<int>(port_), kConnectLimit,

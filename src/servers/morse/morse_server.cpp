@@ -16,6 +16,7 @@
 #include "servers/fast_link/fast_link_session.h"
 #include "servers/net/listener.h"
 #include "servers/net/outbox.h"
+#include "servers/net/stream_socket.h"
 #include "servers/net/waiting.h"
 #include "servers/net/warning_limit.h"
 #include "wire/fast_link.h"
@@ -32,6 +33,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kReadBlock = 64U << 10;
 constexpr std::size_t kFrameBlock = 128U << 10;       // a whole canvas at once
+constexpr const char* kThisProgram = "this program";  // a client's address, in the log
 constexpr auto kTurn = std::chrono::milliseconds(1);  // of one connection before others get theirs
 
 const char* StatusWord(Outcome outcome) {
@@ -90,6 +92,9 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
     std::uint64_t count = 0;
   };
 
+  // A new client of the services, called `name` in the log.
+  void Take(StreamSocket socket, std::string name);
+
   // Answers what is due. Connections may come to their end by it.
   void TellConnections();
 
@@ -118,18 +123,16 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
 class MorseServer::ServiceConnection
     : public std::enable_shared_from_this<MorseServer::ServiceConnection> {
  public:
-  ServiceConnection(Shared& shared, tcp::socket socket)
+  ServiceConnection(Shared& shared, StreamSocket socket, std::string name)
       : shared_(shared),
         socket_(std::move(socket)),
         peek_timer_(shared.io),
         outbox_(socket_),
+        address_(std::move(name)),
+        name_(address_),
         lines_(shared.options.longest_request),
         frames_(wire::kMostClientFrame),
-        arrival_(++shared.arrivals) {
-    ErrorCode ignored;
-    const tcp::endpoint peer = socket_.remote_endpoint(ignored);
-    address_ = name_ = peer.address().to_string() + ":" + std::to_string(peer.port());
-  }
+        arrival_(++shared.arrivals) {}
 
   void Start() { Read(); }
 
@@ -172,7 +175,7 @@ class MorseServer::ServiceConnection
   void Read() {
     reading_ = true;
     if (fast_ != nullptr) {
-      socket_.async_wait(tcp::socket::wait_read, [self = shared_from_this()](ErrorCode error) {
+      socket_.async_wait(StreamSocket::wait_read, [self = shared_from_this()](ErrorCode error) {
         self->reading_ = false;
         if (self->shared_.closed || self->left_) return;
         if (error) return self->Leave();
@@ -588,7 +591,7 @@ class MorseServer::ServiceConnection
   };
 
   Shared& shared_;
-  tcp::socket socket_;
+  StreamSocket socket_;
   asio::steady_timer peek_timer_;
   Outbox outbox_;
   std::string address_;
@@ -616,6 +619,18 @@ class MorseServer::ServiceConnection
   bool turn_posted_ = false;
   bool left_ = false;
 };
+
+void MorseServer::Shared::Take(StreamSocket socket, std::string name) {
+  if (connections.size() >= options.most_clients) {
+    warnings.Warn("more than {} connections to the service port, one was refused",
+                  options.most_clients);
+    return;
+  }
+  const auto connection =
+      std::make_shared<ServiceConnection>(*this, std::move(socket), std::move(name));
+  connections.insert(connection);
+  connection->Start();
+}
 
 void MorseServer::Shared::TellConnections() {
   told.assign(connections.begin(), connections.end());
@@ -684,10 +699,10 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
 
  private:
   struct Client {
-    Client(tcp::socket socket_in, std::size_t longest, std::uint64_t arrival_in)
+    Client(StreamSocket socket_in, std::size_t longest, std::uint64_t arrival_in)
         : socket(std::move(socket_in)), outbox(socket), lines(longest), number(arrival_in) {}
     std::uint64_t arrival() const { return number; }
-    tcp::socket socket;
+    StreamSocket socket;
     Outbox outbox;
     wire::LineSplitter lines;
     std::array<char, 4096> block{};
@@ -758,15 +773,10 @@ MorseServer::MorseServer(asio::io_context& io, sim::Simulation& simulation,
                          const MorseServerOptions& options) {
   shared_ = std::make_shared<Shared>(io, simulation, directory, pace, options);
   shared_->listener = std::make_shared<Listener>(io, [shared = shared_.get()](tcp::socket socket) {
-    if (shared->connections.size() >= shared->options.most_clients) {
-      shared->warnings.Warn("more than {} connections to the service port, one was refused",
-                            shared->options.most_clients);
-      return;
-    }
-    const auto connection = std::make_shared<ServiceConnection>(*shared, std::move(socket));
-    shared->connections.insert(connection);
-    connection->Start();
+    std::string name = PeerName(socket);
+    shared->Take(std::move(socket), std::move(name));
   });
+  if (!options.listen) return;
   shared_->listener->Open(options.bind, options.port, false);
   // Ports go in the order of the components' names, as MORSE's builder writes them.
   int next_port = options.first_stream_port;
@@ -792,7 +802,15 @@ void MorseServer::Close() {
   shared_->io.poll();
 }
 
-int MorseServer::port() const { return shared_->listener->port(); }
+int MorseServer::Connect() {
+  auto [server, client] = ConnectedPair(shared_->io);
+  asio::post(shared_->io, [shared = shared_, socket = std::move(server)]() mutable {
+    if (!shared->closed) shared->Take(std::move(socket), kThisProgram);
+  });
+  return client;
+}
+
+int MorseServer::port() const { return shared_->options.listen ? shared_->listener->port() : 0; }
 
 int MorseServer::StreamPort(const sim::Component& component) const {
   for (const auto& stream : shared_->streams) {

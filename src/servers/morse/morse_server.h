@@ -20,6 +20,9 @@ namespace ccmorse::servers {
 /// Where and within which limits MORSE's protocol is served. Beyond a limit the one connection that
 /// breaks it suffers, with a line in the log; the simulation goes on.
 struct MorseServerOptions {
+  /// False: no port is opened, neither for services nor for streams; clients come by Connect()
+  /// only.
+  bool listen = true;
   std::string bind = "127.0.0.1";  ///< address to listen on
   int port = 4000;                 ///< of the services; 0: any free one
   int first_stream_port = 60000;   ///< streams take the next free ports from here; 0: any free ones
@@ -45,13 +48,17 @@ class MorseServer : public ProtocolServer {
     std::function<Json()> clock = {};
   };
 
-  /// Listens. Throws Error that names the port when it is taken. The directory outlives the server;
-  /// its control's stream_port is to ask StreamPort().
+  /// Listens, unless the options say otherwise. Throws Error that names the port when it is taken.
+  /// The directory outlives the server; its control's stream_port is to ask StreamPort().
   MorseServer(boost::asio::io_context& io, sim::Simulation& simulation, ServiceDirectory& directory,
               const Pace& pace, const MorseServerOptions& options);
   ~MorseServer() override;
 
-  int port() const;
+  /// A client of the services within this program: its end of the connection, a non-blocking stream
+  /// socket that the caller closes. Any thread. Throws Error when there are no file handles.
+  int Connect();
+
+  int port() const;  ///< of the services; 0 when it does not listen
   /// Lowest and highest port of the streams; 0 and 0 without any.
   std::pair<int, int> stream_ports() const;
   /// Of a component's stream; 0 when it has none.

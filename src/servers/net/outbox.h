@@ -1,11 +1,12 @@
 #pragma once
 
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/write.hpp>
 #include <cstddef>
 #include <memory>
 #include <string>
 #include <utility>
+
+#include "servers/net/stream_socket.h"
 
 namespace ccmorse::servers {
 
@@ -13,11 +14,10 @@ namespace ccmorse::servers {
 /// follows as the peer reads. One thread; belongs to what owns the socket.
 class Outbox {
  public:
-  using Socket = boost::asio::ip::tcp::socket;
   using ErrorCode = boost::system::error_code;
 
   /// `socket` is non-blocking and outlives the outbox.
-  explicit Outbox(Socket& socket) : socket_(socket) {}
+  explicit Outbox(StreamSocket& socket) : socket_(socket) {}
 
   /// What the next Flush() sends; to be appended to.
   std::string& text() { return waiting_; }
@@ -57,7 +57,7 @@ class Outbox {
   }
 
  private:
-  Socket& socket_;
+  StreamSocket& socket_;
   std::string waiting_;
   std::string sending_;
   std::size_t sent_ = 0;

@@ -8,8 +8,11 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "base/nearest_name.h"
+#include "scene/field.h"
 #include "servers/net/listener.h"
 #include "servers/net/outbox.h"
+#include "servers/net/stream_socket.h"
 #include "servers/net/waiting.h"
 #include "servers/net/warning_limit.h"
 #include "servers/player/device_factory.h"
@@ -103,12 +106,16 @@ struct PlayerServer::Shared {
         options(options_in) {}
 
   struct OpenPort {
+    int number = 0;  // of the port; where it does not listen, the one that it would have
     std::string robot;
     DeviceList devices;
     std::vector<std::unique_ptr<Driver>> drivers;  // use the devices, so they go before them
     std::shared_ptr<Listener> listener;
     std::size_t clients = 0;
   };
+
+  // A new client of a port, called `name` in the log.
+  void Take(OpenPort& port, StreamSocket socket, std::string name);
 
   // Sends to all what is there for them. Connections may come to their end by it.
   void DeliverPending();
@@ -129,17 +136,15 @@ struct PlayerServer::Shared {
 // One client.
 class PlayerServer::Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(Shared& shared, Shared::OpenPort& port, tcp::socket socket)
+  Connection(Shared& shared, Shared::OpenPort& port, StreamSocket socket, std::string name)
       : shared_(shared),
         port_(port),
         socket_(std::move(socket)),
         outbox_(socket_),
         session_(std::make_unique<PlayerSession>(
-            port.devices, static_cast<std::uint32_t>(port.listener->port()),
-            [&shared] { return shared.simulation.time(); }, shared.options.session)) {
-    ErrorCode ignored;
-    const tcp::endpoint peer = socket_.remote_endpoint(ignored);
-    name_ = peer.address().to_string() + ":" + std::to_string(peer.port());
+            port.devices, static_cast<std::uint32_t>(port.number),
+            [&shared] { return shared.simulation.time(); }, shared.options.session)),
+        name_(std::move(name)) {
     ++port_.clients;
   }
 
@@ -239,7 +244,7 @@ class PlayerServer::Connection : public std::enable_shared_from_this<Connection>
 
   Shared& shared_;
   Shared::OpenPort& port_;
-  tcp::socket socket_;
+  StreamSocket socket_;
   Outbox outbox_;
   std::unique_ptr<PlayerSession> session_;  // until it has left
   std::string name_;
@@ -250,6 +255,18 @@ class PlayerServer::Connection : public std::enable_shared_from_this<Connection>
   bool turn_posted_ = false;
   bool left_ = false;
 };
+
+void PlayerServer::Shared::Take(OpenPort& port, StreamSocket socket, std::string name) {
+  if (port.clients >= options.most_clients) {
+    warnings.Warn("more than {} Player clients of {}, one was refused", options.most_clients,
+                  port.robot);
+    return;
+  }
+  const auto connection =
+      std::make_shared<Connection>(*this, port, std::move(socket), std::move(name));
+  connections.push_back(connection);
+  connection->Start();
+}
 
 void PlayerServer::Shared::DeliverPending() {
   for (const auto& connection : connections) {
@@ -291,19 +308,16 @@ std::unique_ptr<PlayerServer> PlayerServer::Open(asio::io_context& io, sim::Simu
         LogWarning("{}: no driver {} for Player's clients: {}", setup.name, def.name, error.what());
       }
     }
+    port.number = number;
+    if (!options.listen) continue;
     port.listener = std::make_shared<Listener>(io, [&shared, &port](tcp::socket socket) {
-      if (port.clients >= shared.options.most_clients) {
-        shared.warnings.Warn("more than {} Player clients of {}, one was refused",
-                             shared.options.most_clients, port.robot);
-        return;
-      }
-      const auto connection = std::make_shared<Connection>(shared, port, std::move(socket));
-      shared.connections.push_back(connection);
-      connection->Start();
+      std::string name = PeerName(socket);
+      shared.Take(port, std::move(socket), std::move(name));
     });
     try {
       if (number > 65535) throw Error("there are no such ports");
       port.listener->Open(options.bind, number, false);
+      port.number = port.listener->port();
     } catch (const Error&) {
       if (!options.may_be_taken) {
         throw Error("Player's protocol: cannot listen on " + options.bind + " port " +
@@ -325,8 +339,26 @@ PlayerServer::~PlayerServer() { Close(); }
 
 std::vector<PlayerServer::Port> PlayerServer::ports() const {
   std::vector<Port> ports;
-  for (const auto& port : shared_->ports) ports.push_back({port.listener->port(), port.robot});
+  for (const auto& port : shared_->ports) ports.push_back({port.number, port.robot});
   return ports;
+}
+
+int PlayerServer::Connect(const std::string& robot) {
+  Shared::OpenPort* found = nullptr;
+  std::vector<std::string> known;
+  for (auto& port : shared_->ports) {
+    known.push_back(port.robot);
+    if (found == nullptr && (robot.empty() || port.robot == robot)) found = &port;
+  }
+  if (found == nullptr) {
+    throw Error("Player's protocol is not served for a robot " + scene::Quoted(robot) +
+                DidYouMean(robot, known) + "; it is for " + scene::Listed(known));
+  }
+  auto [server, client] = ConnectedPair(shared_->io);
+  asio::post(shared_->io, [shared = shared_, found, socket = std::move(server)]() mutable {
+    if (!shared->closed) shared->Take(*found, std::move(socket), "this program");
+  });
+  return client;
 }
 
 const DeviceList& PlayerServer::devices(std::size_t place) const {

@@ -35,6 +35,7 @@ struct PortSetup {
 /// Where and within which limits Player's protocol is served. Beyond a limit the one connection
 /// that breaks it suffers, with a line in the log; the simulation goes on.
 struct PlayerServerOptions {
+  bool listen = true;              ///< false: no port is opened, clients come by Connect() only
   std::string bind = "127.0.0.1";  ///< address to listen on
   /// Of the scenario's first robot; the n-th is on the port n - 1 higher. 0: any free ones.
   int port = kDefaultPort;
@@ -53,13 +54,18 @@ struct PlayerServerOptions {
 /// be the thread that advances the simulation; each handler is short.
 class PlayerServer : public ProtocolServer {
  public:
-  /// Listens. Throws Error that names the port when it is taken (nullptr when it may be), and for a
-  /// setup that cannot be. All references outlive the server.
+  /// Listens, unless the options say otherwise. Throws Error that names the port when it is taken
+  /// (nullptr when it may be), and for a setup that cannot be. All references outlive the server.
   static std::unique_ptr<PlayerServer> Open(boost::asio::io_context& io,
                                             sim::Simulation& simulation,
                                             ServiceDirectory& directory,
                                             const PlayerServerOptions& options);
   ~PlayerServer() override;
+
+  /// A client within this program of the port of `robot`, "" being the first: its end of the
+  /// connection, a non-blocking stream socket that the caller closes. Any thread. Throws Error when
+  /// there is no such robot, or no file handle.
+  int Connect(const std::string& robot);
 
   /// A port and the robot behind it, in the scenario's order.
   struct Port {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace {
@@ -88,6 +89,30 @@ TEST_F(PlayerPackages, AMakefileBuildsItsProgramsByPkgConfig) {
   const Result ran = Shell(Quoted(root_ / "player/hello") + " 127.0.0.1 1");
   EXPECT_EQ(ran.status, 1);
   EXPECT_NE(ran.output.find("cannot connect to 127.0.0.1:1"), std::string::npos) << ran.output;
+}
+
+TEST_F(PlayerPackages, AnInstalledProgramSimulatesWithinItselfOnceTheLibraryIsThere) {
+  const fs::path lib = root_ / "moved" / CCMORSE_LIBDIR;
+  const fs::path worlds = root_ / "moved/share/ccmorse/worlds/moved_here";
+  fs::create_directories(worlds);
+  std::ofstream(worlds / "moved_here.json") << R"({"world": "syrotek"})";
+  const Result made =
+      Shell("make -C " + Quoted(root_ / "player") + " hello CXXFLAGS+='-O0 " + sanitize_ +
+            " $(shell pkg-config --cflags playerc++)' LDFLAGS='" + sanitize_ + "'");
+  ASSERT_EQ(made.status, 0) << made.output;
+  const std::string run = "LD_LIBRARY_PATH=" + Quoted(lib) + " " + Quoted(root_ / "player/hello") +
+                          " 'sim:moved_here?pace=lockstep' 0";
+  const Result without = Shell(run);
+  EXPECT_EQ(without.status, 1);
+  EXPECT_NE(without.output.find("needs libccmorse-sim.so."), std::string::npos) << without.output;
+  for (const auto& entry : fs::directory_iterator(fs::path(CCMORSE_BINARY_DIR) / "lib")) {
+    if (entry.path().filename().string().starts_with("libccmorse-sim.so")) {
+      fs::copy(entry.path(), lib / entry.path().filename(), fs::copy_options::copy_symlinks);
+    }
+  }
+  const Result with = Shell(run);
+  EXPECT_EQ(with.status, 0) << with.output;
+  EXPECT_NE(with.output.find("682 beams"), std::string::npos) << with.output;
 }
 
 TEST_F(PlayerPackages, CMakeFindsPlayerAndBuildsEveryExample) {
