@@ -13,7 +13,9 @@
 #include "servers/net/waiting.h"
 #include "servers/net/warning_limit.h"
 #include "servers/player/device_factory.h"
+#include "servers/player/drivers/localization.h"
 #include "servers/player/drivers/snd_driver.h"
+#include "servers/player/drivers/wavefront_driver.h"
 
 namespace ccmorse::servers::player {
 namespace {
@@ -38,10 +40,12 @@ std::vector<PortSetup> DefaultSetup(const sim::Simulation& simulation, int first
     setup.port = first_port == 0 ? 0 : first_port + static_cast<int>(setups.size()) - 1;
     setup.name = def.name;
     for (const DeviceDef& device : DefaultDevices()) setup.devices.push_back({def.name, device});
+    setup.drivers.push_back(TruePlace(def.name));
     if (def.type == "S1R" && def.front == "laser") {
       const auto settings = def.drivers.find("snd");
       setup.drivers.push_back(
           SyrotekSnd(settings == def.drivers.end() ? Json::Object{} : settings->second.AsObject()));
+      setup.drivers.push_back(SyrotekPlanner());
     }
   }
   return setups;

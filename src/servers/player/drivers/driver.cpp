@@ -1,6 +1,7 @@
 #include "servers/player/drivers/driver.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 
@@ -33,6 +34,42 @@ std::string DriverOptions::Text(std::string_view name, const std::string& fallba
   if (value == nullptr) return fallback;
   if (!value->IsString()) throw Error("option '" + std::string(name) + "' must be a text");
   return value->AsString();
+}
+
+int DriverOptions::Integer(std::string_view name, int fallback) const {
+  const double number = Number(name, fallback);
+  if (number != std::floor(number) || std::fabs(number) > 1e9) {
+    throw Error("option '" + std::string(name) + "' must be a whole number");
+  }
+  return static_cast<int>(number);
+}
+
+bool DriverOptions::Flag(std::string_view name, bool fallback) const {
+  const Json* const value = Find(name);
+  if (value == nullptr) return fallback;
+  if (value->IsBool()) return value->AsBool();
+  if (value->IsNumber()) return value->AsDouble() != 0.0;
+  const std::string text = Text(name, "");
+  if (text == "yes" || text == "true") return true;
+  if (text == "no" || text == "false") return false;
+  throw Error("option '" + std::string(name) + "' must be 1, 0, yes, no, true or false");
+}
+
+void DriverOptions::Tuple(std::string_view name, std::string_view units,
+                          std::span<double> to) const {
+  const Json* const value = Find(name);
+  if (value == nullptr) return;
+  const auto is_number = [](const Json& item) { return item.IsNumber(); };
+  if (!value->IsArray() || value->AsArray().size() != units.size() ||
+      !std::all_of(value->AsArray().begin(), value->AsArray().end(), is_number)) {
+    throw Error("option '" + std::string(name) + "' must be a tuple of " +
+                std::to_string(units.size()) + " numbers");
+  }
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    to[i] = value->AsArray()[i].AsDouble() * (units[i] == 'l'   ? length_unit
+                                              : units[i] == 'a' ? angle_unit
+                                                                : 1.0);
+  }
 }
 
 Driver::Driver(const DriverDef& def, const DeviceList& devices) : def_(def), devices_(devices) {}

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,11 @@ struct DriverOptions {
   double Length(std::string_view name, double fallback) const;  ///< m
   double Angle(std::string_view name, double fallback) const;   ///< rad
   std::string Text(std::string_view name, const std::string& fallback) const;
+  int Integer(std::string_view name, int fallback) const;  ///< within +-1e9
+  bool Flag(std::string_view name, bool fallback) const;   ///< 1, 0, yes, no, true, false
+  /// A tuple of as many numbers as `units` has letters: l in m, a in rad, f as written. Sets
+  /// nothing where the option is not given.
+  void Tuple(std::string_view name, std::string_view units, std::span<double> to) const;
   const Json* Find(std::string_view name) const;  ///< as given; nullptr: not given
 };
 

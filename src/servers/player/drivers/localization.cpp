@@ -127,4 +127,14 @@ bool FakeLocalize::Ask(Provided& device, std::uint8_t subtype, const wire::Body&
   return true;
 }
 
+DriverDef TruePlace(const std::string& robot) {
+  DriverDef def;
+  def.name = "fakelocalize";
+  def.provided = {{"", "localize", 0}};
+  def.required = {{"", "simulation", 0}};
+  def.robot = robot;
+  def.may_fail = true;
+  return def;
+}
+
 }  // namespace ccmorse::servers::player
