@@ -88,8 +88,9 @@ std::vector<PortSetup> SetupOf(const scene::PlayerSetup& wanted, const sim::Simu
         }
         def.required.push_back(ToDriverDevice(address));
       }
-      def.options = {driver.options, driver.length_unit, driver.angle_unit};
+      def.options = {driver.options, driver.length_unit, driver.angle_unit, driver.places};
       def.robot = robot_or_first(setup.name);
+      def.always_on = driver.always_on;
     }
   }
   return setups;
@@ -125,7 +126,8 @@ struct PlayerServer::Shared {
   std::vector<std::shared_ptr<Connection>> connections;  // in the order in which they came
   std::vector<std::shared_ptr<Connection>> told;         // scratch of DeliverPending()
   int readers_ever = 0;
-  std::string ended;  // why data end, once the run is over
+  std::string ended;       // why data end, once the run is over
+  bool always_on = false;  // a driver is
   WarningLimit warnings;
   bool closed = false;
 };
@@ -288,7 +290,16 @@ std::unique_ptr<PlayerServer> PlayerServer::Open(asio::io_context& io, sim::Simu
     for (const DriverDef& def : setup.drivers) {
       try {
         auto driver = MakeDriver(def, shared.context, port.devices);
+        for (const auto& [option, value] : def.options.values) {
+          if (def.options.asked.contains(option)) continue;
+          LogWarning("{}'{}' of driver {} has no effect", def.options.Place(option), option,
+                     def.name);
+        }
         for (const auto& device : driver->provided()) port.devices.Add(device);
+        if (def.always_on) {
+          driver->KeepOn(true);
+          shared.always_on = true;
+        }
         port.drivers.push_back(std::move(driver));
       } catch (const Error& error) {
         if (!def.may_fail) throw;
@@ -338,7 +349,7 @@ const DeviceList& PlayerServer::devices(std::size_t place) const {
 }
 
 void PlayerServer::Sensed() {
-  if (shared_->connections.empty()) return;
+  if (shared_->connections.empty() && !shared_->always_on) return;
   for (const auto& port : shared_->ports) {
     for (const auto& device : port.devices.all()) {
       if (device->subscribed()) device->Step();
@@ -389,6 +400,9 @@ void PlayerServer::Close() {
   }
   const auto connections = shared_->connections;
   for (const auto& connection : connections) connection->Leave();
+  for (const auto& port : shared_->ports) {
+    for (const auto& driver : port.drivers) driver->KeepOn(false);
+  }
   // Handlers of the closed sockets still refer to what is ours: let them run before it goes.
   shared_->io.restart();
   shared_->io.poll();

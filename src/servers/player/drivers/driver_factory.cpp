@@ -6,6 +6,7 @@
 #include "servers/player/drivers/amcl_driver.h"
 #include "servers/player/drivers/driver.h"
 #include "servers/player/drivers/localization.h"
+#include "servers/player/drivers/log_drivers.h"
 #include "servers/player/drivers/nd_driver.h"
 #include "servers/player/drivers/range_converters.h"
 #include "servers/player/drivers/snd_driver.h"
@@ -33,9 +34,11 @@ constexpr std::array kMakers = {
     Maker{"mapfile", &Make<MapFile>},
     Maker{"nd", &Make<NdDriver>},
     Maker{"rangertolaser", &Make<RangerToLaser>},
+    Maker{"readlog", &Make<ReadLog>},
     Maker{"snd", &Make<SndDriver>},
     Maker{"vfh", &Make<VfhDriver>},
     Maker{"wavefront", &Make<WavefrontDriver>},
+    Maker{"writelog", &Make<WriteLog>},
 };
 
 }  // namespace
