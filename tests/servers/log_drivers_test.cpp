@@ -79,7 +79,7 @@ class PlayerLog : public ::testing::Test {
 // A simulation in lock-step and its one client.
 class Served {
  public:
-  Served(std::vector<PortSetup> setup, const char* scenario = kHall)
+  explicit Served(std::vector<PortSetup> setup, const char* scenario = kHall)
       : served_(scenario, Pace::kLockstep, 0.0, MorseServerOptions{}, 1, RecordOptions{}, 10.0,
                 std::move(setup)),
         client_("player://127.0.0.1", static_cast<std::uint32_t>(served_.player_port())) {}

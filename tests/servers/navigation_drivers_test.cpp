@@ -217,6 +217,21 @@ TEST(PlayerGoalDrivers, OptionsThatCannotBeAreRefusedByName) {
   EXPECT_NE(Complaint(amcl, "pf_min_samples", 0.0).find("pf_min_samples"), std::string::npos);
 }
 
+TEST(PlayerGoalDrivers, C2OptionsWithoutEffectAreNamedWithTheirPlace) {
+  DriverDef def = Vfh();
+  def.options.places.assign(def.options.values.size(), "robot.cfg:7");
+  def.options.values.emplace_back("cell_sise", 0.1);
+  def.options.places.emplace_back("robot.cfg:8");
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Complaint(def), "");
+  const std::string log = ::testing::internal::GetCapturedStderr();
+  EXPECT_NE(log.find("robot.cfg:8: 'cell_sise' of driver vfh has no effect"), std::string::npos)
+      << log;
+  EXPECT_EQ(log.find("robot.cfg:7"), std::string::npos) << log;
+  def.options.values.back() = {"sector_angle", "wide"};
+  EXPECT_EQ(Complaint(def), "robot.cfg:8: option 'sector_angle' must be a number");
+}
+
 // planner:0 and localize:0 of a robot that nothing is said of.
 TEST(PlayerPlanner, G4TakesTheArenasRobotToAGoalAsItIsServedByDefault) {
   Served run("{}", {});
