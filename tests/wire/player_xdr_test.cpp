@@ -16,6 +16,7 @@
 #include "wire/player/deflate.h"
 #include "wire/player/frame.h"
 #include "wire/player/messages.h"
+#include "wire/player/text.h"
 #include "wire/player/xdr.h"
 
 namespace ccmorse::wire::player {
@@ -220,6 +221,52 @@ TEST(PlayerXdr, EveryMessageHasTheBytesThatLibtirpcGivesIt) {
   CCMORSE_PLAYER_MESSAGES
 #undef PLAYER_MESSAGE
   EXPECT_GT(messages, 150);
+}
+
+template <typename Struct>
+void CheckText(std::uint16_t code, int type, int subtype, unsigned seed) {
+  Filler filler(seed);
+  for (int i = 0; i < kTimes; ++i) {
+    Struct message;
+    filler.Value(message);
+    const Bytes bytes = Encode(message);
+    const auto message_type = static_cast<MessageType>(type);
+    const auto message_subtype = static_cast<std::uint8_t>(subtype);
+    const auto text = ToText(code, message_type, message_subtype, bytes);
+    ASSERT_TRUE(text);
+    const auto back = FromText(code, message_type, message_subtype, *text);
+    ASSERT_TRUE(back) << *text;
+    ASSERT_EQ(*back, bytes) << *text;
+    ASSERT_FALSE(FromText(code, message_type, message_subtype, *text + " 1"));
+    const std::size_t last = text->rfind(' ');
+    if (last == std::string::npos) continue;
+    ASSERT_FALSE(FromText(code, message_type, message_subtype, text->substr(0, last))) << *text;
+  }
+}
+
+TEST(PlayerText, EveryMessageComesBackFromItsText) {
+  const unsigned seed = Seed();
+#define PLAYER_MESSAGE(interface, code, type, subtype, name, body) \
+  {                                                                \
+    SCOPED_TRACE(#interface " " #name);                            \
+    CheckText<body>(code, type, subtype, seed);                    \
+  }
+  CCMORSE_PLAYER_MESSAGES
+#undef PLAYER_MESSAGE
+}
+
+TEST(PlayerText, IsInTheOrderOfTheWire) {
+  Position2dData data;
+  data.pos = {0.1, -2.0, 3.5};
+  data.vel = {1e-9, 0.0, 0.25};
+  data.stall = 1;
+  EXPECT_EQ(ToText(kPosition2d, MessageType::kData, kPosition2dDataState, Encode(data)),
+            "0.1 -2 3.5 1e-09 0 0.25 1");
+  EXPECT_EQ(ToText(kSonar, MessageType::kData, kSonarDataRanges, Encode(SonarData{{0.1, 2.5}})),
+            "2 0.1 2.5");
+  EXPECT_EQ(ToText(kSpeech, MessageType::kCommand, kSpeechCmdSay, Encode(SpeechCmd{"Hi"})), "4869");
+  EXPECT_EQ(FromText(kSonar, MessageType::kData, kSonarDataRanges, "4000000000 0.1"), std::nullopt);
+  EXPECT_EQ(FromText(kSonar, MessageType::kData, 99, "1 0.1"), std::nullopt);
 }
 
 TEST(PlayerXdr, TheHeaderIsFortyBytesAsLibtirpcPacksThem) {

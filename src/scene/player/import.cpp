@@ -108,6 +108,19 @@ void BindSyrotek(const ConfigDriver& section, ImportedScenario& imported) {
   }
 }
 
+// The driver with the names of files that it reads as seen from here: the .cfg has them as seen
+// from its own folder (specs: player.md C.1).
+PlayerDriver WithFilesOf(const ConfigDriver& section, const std::string& config_file) {
+  PlayerDriver driver = section.driver;
+  if (driver.name != "mapfile" && driver.name != "readlog") return driver;
+  const std::filesystem::path folder = std::filesystem::path(config_file).parent_path();
+  for (auto& [name, value] : driver.options) {
+    if (name != "filename" || !value.IsString()) continue;
+    value = (folder / value.AsString()).lexically_normal().string();
+  }
+  return driver;
+}
+
 StageWorld LoadWorldOf(const ConfigDriver& section, const std::string& config_file,
                        const StageFiles& files) {
   const std::filesystem::path folder = std::filesystem::path(config_file).parent_path();
@@ -160,7 +173,7 @@ ImportedScenario ImportConfig(const PlayerConfig& config, const StageFiles& file
     } else if (IsStage(section)) {
       binder.Bind(section);
     } else {
-      imported.scenario.player->drivers.push_back(section.driver);
+      imported.scenario.player->drivers.push_back(WithFilesOf(section, config.file));
     }
   }
   // What it is served by, or nothing would answer its clients.

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -26,6 +27,12 @@ class Reply {
   void Set(Struct value) {
     const auto held = std::make_shared<Struct>(std::move(value));
     body_ = wire::Body::Of(*held);
+    held_ = held;
+  }
+  /// A body that is packed already.
+  void SetBytes(wire::Bytes bytes) {
+    const auto held = std::make_shared<wire::Bytes>(std::move(bytes));
+    body_ = wire::Body(std::span<const std::uint8_t>(*held));
     held_ = held;
   }
   /// Valid as long as the reply.
@@ -110,6 +117,11 @@ class Device {
   /// Sends data to all subscribers, stamped with simulated time (s). As clients take a message for
   /// new only by its time (H4), that is raised a little where it would not grow.
   void Publish(std::uint8_t subtype, double time, const wire::Body& body);
+
+  /// One more message that it understands.
+  void AddCapability(wire::MessageType type, std::uint8_t subtype) {
+    if (!HasCapability(type, subtype)) capabilities_.emplace_back(type, subtype);
+  }
 
   virtual bool Ask(std::uint8_t /*subtype*/, const wire::Body& /*body*/, Reply& /*reply*/) {
     return false;

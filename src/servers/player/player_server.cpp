@@ -16,7 +16,9 @@
 #include "servers/net/waiting.h"
 #include "servers/net/warning_limit.h"
 #include "servers/player/device_factory.h"
+#include "servers/player/drivers/localization.h"
 #include "servers/player/drivers/snd_driver.h"
+#include "servers/player/drivers/wavefront_driver.h"
 
 namespace ccmorse::servers::player {
 namespace {
@@ -41,10 +43,12 @@ std::vector<PortSetup> DefaultSetup(const sim::Simulation& simulation, int first
     setup.port = first_port == 0 ? 0 : first_port + static_cast<int>(setups.size()) - 1;
     setup.name = def.name;
     for (const DeviceDef& device : DefaultDevices()) setup.devices.push_back({def.name, device});
+    setup.drivers.push_back(TruePlace(def.name));
     if (def.type == "S1R" && def.front == "laser") {
       const auto settings = def.drivers.find("snd");
       setup.drivers.push_back(
           SyrotekSnd(settings == def.drivers.end() ? Json::Object{} : settings->second.AsObject()));
+      setup.drivers.push_back(SyrotekPlanner());
     }
   }
   return setups;
@@ -87,8 +91,9 @@ std::vector<PortSetup> SetupOf(const scene::PlayerSetup& wanted, const sim::Simu
         }
         def.required.push_back(ToDriverDevice(address));
       }
-      def.options = {driver.options, driver.length_unit, driver.angle_unit};
+      def.options = {driver.options, driver.length_unit, driver.angle_unit, driver.places};
       def.robot = robot_or_first(setup.name);
+      def.always_on = driver.always_on;
     }
   }
   return setups;
@@ -128,7 +133,8 @@ struct PlayerServer::Shared {
   std::vector<std::shared_ptr<Connection>> connections;  // in the order in which they came
   std::vector<std::shared_ptr<Connection>> told;         // scratch of DeliverPending()
   int readers_ever = 0;
-  std::string ended;  // why data end, once the run is over
+  std::string ended;       // why data end, once the run is over
+  bool always_on = false;  // a driver is
   WarningLimit warnings;
   bool closed = false;
 };
@@ -301,7 +307,16 @@ std::unique_ptr<PlayerServer> PlayerServer::Open(asio::io_context& io, sim::Simu
     for (const DriverDef& def : setup.drivers) {
       try {
         auto driver = MakeDriver(def, shared.context, port.devices);
+        for (const auto& [option, value] : def.options.values) {
+          if (def.options.asked.contains(option)) continue;
+          LogWarning("{}'{}' of driver {} has no effect", def.options.Place(option), option,
+                     def.name);
+        }
         for (const auto& device : driver->provided()) port.devices.Add(device);
+        if (def.always_on) {
+          driver->KeepOn(true);
+          shared.always_on = true;
+        }
         port.drivers.push_back(std::move(driver));
       } catch (const Error& error) {
         if (!def.may_fail) throw;
@@ -366,7 +381,7 @@ const DeviceList& PlayerServer::devices(std::size_t place) const {
 }
 
 void PlayerServer::Sensed() {
-  if (shared_->connections.empty()) return;
+  if (shared_->connections.empty() && !shared_->always_on) return;
   for (const auto& port : shared_->ports) {
     for (const auto& device : port.devices.all()) {
       if (device->subscribed()) device->Step();
@@ -417,6 +432,9 @@ void PlayerServer::Close() {
   }
   const auto connections = shared_->connections;
   for (const auto& connection : connections) connection->Leave();
+  for (const auto& port : shared_->ports) {
+    for (const auto& driver : port.drivers) driver->KeepOn(false);
+  }
   // Handlers of the closed sockets still refer to what is ours: let them run before it goes.
   shared_->io.restart();
   shared_->io.poll();

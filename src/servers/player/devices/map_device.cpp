@@ -17,25 +17,24 @@ constexpr std::uint32_t kMostOfTile = 640;  // cells each way
 
 }  // namespace
 
-GridMap DrawWorld(const sim::World& world) {
+navigation::OccupancyGrid DrawWorld(const sim::World& world) {
   const scene::World& scene = world.scene();
-  GridMap map;
-  map.scale = std::max({kCell, scene.size_x / kMostCells, scene.size_y / kMostCells});
-  map.width = static_cast<int>(std::ceil(scene.size_x / map.scale - 1e-9));
-  map.height = static_cast<int>(std::ceil(scene.size_y / map.scale - 1e-9));
-  map.cells.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height), -1);
+  const double scale = std::max({kCell, scene.size_x / kMostCells, scene.size_y / kMostCells});
+  navigation::OccupancyGrid map(static_cast<int>(std::ceil(scene.size_x / scale - 1e-9)),
+                                static_cast<int>(std::ceil(scene.size_y / scale - 1e-9)), scale);
+  for (int y = 0; y < map.height(); ++y) {
+    for (int x = 0; x < map.width(); ++x) map.Set({x, y}, navigation::Cell::kFree);
+  }
   const auto cell_at = [&](double place, int count) {
-    return std::clamp(static_cast<int>(std::floor(place / map.scale)), 0, count - 1);
+    return std::clamp(static_cast<int>(std::floor(place / scale)), 0, count - 1);
   };
   for (const sim::Obstacle& obstacle : world.obstacles()) {
     const Vec2 c = obstacle.centre;
     const double r = obstacle.radius;
-    for (int y = cell_at(c.y - r, map.height); y <= cell_at(c.y + r, map.height); ++y) {
-      for (int x = cell_at(c.x - r, map.width); x <= cell_at(c.x + r, map.width); ++x) {
-        const Vec2 middle{(x + 0.5) * map.scale, (y + 0.5) * map.scale};
-        if (!Contains(obstacle.outline, middle)) continue;
-        map.cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) +
-                  static_cast<std::size_t>(x)] = 1;
+    for (int y = cell_at(c.y - r, map.height()); y <= cell_at(c.y + r, map.height()); ++y) {
+      for (int x = cell_at(c.x - r, map.width()); x <= cell_at(c.x + r, map.width()); ++x) {
+        if (!Contains(obstacle.outline, map.CentreOf({x, y}))) continue;
+        map.Set({x, y}, navigation::Cell::kOccupied);
       }
     }
   }
@@ -50,7 +49,7 @@ MapDevice::MapDevice(DeviceContext context, std::uint16_t index)
       context_(context),
       of_world_(true) {}
 
-MapDevice::MapDevice(DeviceContext context, std::uint16_t index, GridMap map)
+MapDevice::MapDevice(DeviceContext context, std::uint16_t index, navigation::OccupancyGrid map)
     : Device(wire::kMap, index, "mapfile",
              {{MessageType::kRequest, wire::kMapReqGetInfo},
               {MessageType::kRequest, wire::kMapReqGetData}}),
@@ -58,7 +57,7 @@ MapDevice::MapDevice(DeviceContext context, std::uint16_t index, GridMap map)
       of_world_(false),
       map_(std::move(map)) {}
 
-const GridMap& MapDevice::Map() {
+const navigation::OccupancyGrid& MapDevice::Map() {
   const sim::World& world = context_.simulation.world();
   if (!map_ || (of_world_ && revision_ != world.revision())) {
     map_ = DrawWorld(world);
@@ -70,12 +69,12 @@ const GridMap& MapDevice::Map() {
 bool MapDevice::Ask(std::uint8_t subtype, const wire::Body& body, Reply& reply) {
   switch (subtype) {
     case wire::kMapReqGetInfo: {
-      const GridMap& map = Map();
+      const navigation::OccupancyGrid& map = Map();
       wire::MapInfo info;
-      info.scale = map.scale;
-      info.width = static_cast<std::uint32_t>(map.width);
-      info.height = static_cast<std::uint32_t>(map.height);
-      info.origin = map.origin;
+      info.scale = map.scale();
+      info.width = static_cast<std::uint32_t>(map.width());
+      info.height = static_cast<std::uint32_t>(map.height());
+      info.origin = {map.origin().x, map.origin().y, 0.0};
       reply.Set(info);
       return body.empty();
     }
@@ -88,9 +87,9 @@ bool MapDevice::Ask(std::uint8_t subtype, const wire::Body& body, Reply& reply) 
 
 bool MapDevice::GetTile(const wire::Body& body, Reply& reply) {
   wire::MapData tile;
-  const GridMap& map = Map();
-  const auto width = static_cast<std::uint32_t>(map.width);
-  const auto height = static_cast<std::uint32_t>(map.height);
+  const navigation::OccupancyGrid& map = Map();
+  const auto width = static_cast<std::uint32_t>(map.width());
+  const auto height = static_cast<std::uint32_t>(map.height());
   if (!body.To(tile) || tile.width == 0 || tile.height == 0 || tile.width > kMostOfTile ||
       tile.height > kMostOfTile || tile.col >= width || tile.row >= height ||
       tile.width > width - tile.col || tile.height > height - tile.row) {
@@ -100,7 +99,7 @@ bool MapDevice::GetTile(const wire::Body& body, Reply& reply) {
   cells.reserve(std::size_t{tile.width} * tile.height);
   for (std::uint32_t y = tile.row; y < tile.row + tile.height; ++y) {
     for (std::uint32_t x = tile.col; x < tile.col + tile.width; ++x) {
-      cells.push_back(static_cast<std::uint8_t>(map.cells[std::size_t{y} * width + x]));
+      cells.push_back(static_cast<std::uint8_t>(map.cells()[std::size_t{y} * width + x]));
     }
   }
   tile.data_range = 1;

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,14 +29,28 @@ struct DriverOptions {
   Json::Object values;
   double length_unit = 1.0;  ///< m in a length
   double angle_unit = 1.0;   ///< rad in an angle
+  /// "FILE:LINE" of each of the values, in their order, where they come from a file.
+  std::vector<std::string> places = {};
+  /// Those that were asked for: others have no effect.
+  mutable std::set<std::string, std::less<>> asked = {};
 
-  // An option, or `fallback` where it is not given. Throws Error that names it when it is of
-  // another type.
+  // An option, or `fallback` where it is not given. Throws Error that names it, and its place, when
+  // it is of another type.
   double Number(std::string_view name, double fallback) const;
   double Length(std::string_view name, double fallback) const;  ///< m
   double Angle(std::string_view name, double fallback) const;   ///< rad
   std::string Text(std::string_view name, const std::string& fallback) const;
+  int Integer(std::string_view name, int fallback) const;  ///< within +-1e9
+  bool Flag(std::string_view name, bool fallback) const;   ///< 1, 0, yes, no, true, false
+  /// A tuple of as many numbers as `units` has letters: l in m, a in rad, f as written. Sets
+  /// nothing where the option is not given.
+  void Tuple(std::string_view name, std::string_view units, std::span<double> to) const;
   const Json* Find(std::string_view name) const;  ///< as given; nullptr: not given
+  /// "FILE:LINE: " of the option, "" where that is not known.
+  std::string Place(std::string_view name) const;
+
+ private:
+  [[noreturn]] void Fail(std::string_view name, const std::string& text) const;
 };
 
 /// A driver to be made.
@@ -43,6 +60,7 @@ struct DriverDef {
   std::vector<DriverDevice> required;
   DriverOptions options = {};
   std::string robot = "";  ///< of the scenario, for drivers that ask for one
+  bool always_on = false;  ///< works also while nobody has subscribed
   /// Nobody asked for it: where it cannot be made, a warning is enough.
   bool may_fail = false;
 };
@@ -66,6 +84,8 @@ class Driver : public Subscriber {
   /// After each Simulation::Sense(), when all devices have published, while it works.
   virtual void Step() {}
   bool works() const { return users_ > 0; }
+  /// It works from now on, or no longer, also while nobody has subscribed (.cfg: alwayson).
+  void KeepOn(bool on);
 
   void Data(const DataMessage& /*message*/) override {}
 
@@ -76,6 +96,7 @@ class Driver : public Subscriber {
     Provided(Driver& driver, std::uint16_t interface_code, std::uint16_t index,
              const std::string& name, Capabilities capabilities)
         : Device(interface_code, index, name, capabilities), driver_(driver) {}
+    using Device::AddCapability;
     using Device::Publish;
 
    protected:
@@ -96,11 +117,16 @@ class Driver : public Subscriber {
   /// of it.
   Provided* Provide(std::uint16_t interface_code, Device::Capabilities capabilities,
                     std::string_view key = "");
+  /// The device of an interface and index that the file says it provides, whatever they are.
+  Provided* ProvideOne(std::uint16_t interface_code, int index);
   /// One that it requires, to which it subscribes while it works. With a key, one that has the key,
   /// or the only one of its interface. Throws Error when there is none.
   Device& Require(std::uint16_t interface_code, std::string_view key = "");
   /// The same; nullptr when the file names none.
   Device* RequireIfGiven(std::uint16_t interface_code, std::string_view key = "");
+
+  /// All that the file names, in its order. Throws Error when one is missing.
+  std::vector<Device*> RequireAll();
 
   virtual bool Ask(Provided& /*device*/, std::uint8_t /*subtype*/, const wire::Body& /*body*/,
                    Reply& /*reply*/) {
@@ -115,12 +141,14 @@ class Driver : public Subscriber {
  private:
   void UserCame();
   void UserLeft();
+  Device* RequireNamed(const DriverDevice& named);
 
   const DriverDef def_;
   const DeviceList& devices_;
   std::vector<std::shared_ptr<Device>> provided_;
   std::vector<Device*> required_;
-  int users_ = 0;  // devices that somebody has subscribed to
+  bool kept_on_ = false;
+  int users_ = 0;  // kept on, and devices that somebody has subscribed to
 };
 
 /// Is there a driver of that name?

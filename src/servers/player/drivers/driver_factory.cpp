@@ -3,10 +3,15 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "servers/player/drivers/amcl_driver.h"
 #include "servers/player/drivers/driver.h"
 #include "servers/player/drivers/localization.h"
+#include "servers/player/drivers/log_drivers.h"
+#include "servers/player/drivers/nd_driver.h"
 #include "servers/player/drivers/range_converters.h"
 #include "servers/player/drivers/snd_driver.h"
+#include "servers/player/drivers/vfh_driver.h"
+#include "servers/player/drivers/wavefront_driver.h"
 
 namespace ccmorse::servers::player {
 namespace {
@@ -23,11 +28,17 @@ std::unique_ptr<Driver> Make(const DriverDef& def, const DeviceContext& context,
 }
 
 constexpr std::array kMakers = {
+    Maker{"amcl", &Make<AmclDriver>},
     Maker{"fakelocalize", &Make<FakeLocalize>},
     Maker{"lasertoranger", &Make<LaserToRanger>},
     Maker{"mapfile", &Make<MapFile>},
+    Maker{"nd", &Make<NdDriver>},
     Maker{"rangertolaser", &Make<RangerToLaser>},
+    Maker{"readlog", &Make<ReadLog>},
     Maker{"snd", &Make<SndDriver>},
+    Maker{"vfh", &Make<VfhDriver>},
+    Maker{"wavefront", &Make<WavefrontDriver>},
+    Maker{"writelog", &Make<WriteLog>},
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "servers/player/drivers/localization.h"
 
+#include <array>
+
 #include "base/error.h"
 #include "base/image.h"
 #include "servers/player/devices/map_device.h"
@@ -9,44 +11,16 @@ namespace {
 
 using wire::MessageType;
 
-// A pixel's brightness, 0..255, from which on it is light, and up to which it is dark; what is
-// between is unknown.
-constexpr int kLight = 230;
-constexpr int kDark = 80;
-
-GridMap ReadMap(const DriverOptions& options) {
+navigation::OccupancyGrid ReadMap(const DriverOptions& options) {
   const std::string file = options.Text("filename", "");
   if (file.empty()) throw Error("driver mapfile: filename is missing");
   const Image image = ReadPng(file);
-  GridMap map;
-  map.scale = options.Length("resolution", 0.0);
-  if (!(map.scale > 0.0)) throw Error("driver mapfile: resolution must be more than 0");
-  map.width = image.width;
-  map.height = image.height;
-  map.origin = {-0.5 * image.width * map.scale, -0.5 * image.height * map.scale, 0.0};
-  if (const Json* const origin = options.Find("origin")) {
-    if (!origin->IsArray() || origin->AsArray().size() < 2 || !origin->AsArray()[0].IsNumber() ||
-        !origin->AsArray()[1].IsNumber()) {
-      throw Error("driver mapfile: origin must be [x y]");
-    }
-    map.origin.px = origin->AsArray()[0].AsDouble() * options.length_unit;
-    map.origin.py = origin->AsArray()[1].AsDouble() * options.length_unit;
-  }
-  const bool negate = options.Number("negate", 0.0) != 0.0;
-  map.cells.reserve(image.pixels.size());
-  for (int y = image.height - 1; y >= 0; --y) {  // the picture's top row is the map's last
-    for (int x = 0; x < image.width; ++x) {
-      const Color pixel =
-          image.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                       static_cast<std::size_t>(x)];
-      int brightness = (int{pixel.r} + pixel.g + pixel.b) / 3;
-      if (negate) brightness = 255 - brightness;
-      map.cells.push_back(brightness >= kLight  ? std::int8_t{-1}
-                          : brightness <= kDark ? std::int8_t{1}
-                                                : std::int8_t{0});
-    }
-  }
-  return map;
+  const double scale = options.Length("resolution", 0.0);
+  if (!(scale > 0.0)) throw Error("driver mapfile: resolution must be more than 0");
+  std::array<double, 2> origin = {-0.5 * image.width * scale, -0.5 * image.height * scale};
+  options.Tuple("origin", "ll", origin);
+  return navigation::OccupancyGrid::FromImage(image, scale, options.Flag("negate", false),
+                                              {origin[0], origin[1]});
 }
 
 }  // namespace
@@ -125,6 +99,16 @@ bool FakeLocalize::Ask(Provided& device, std::uint8_t subtype, const wire::Body&
   particles.particles.push_back({particles.mean, 1.0});
   reply.Set(std::move(particles));
   return true;
+}
+
+DriverDef TruePlace(const std::string& robot) {
+  DriverDef def;
+  def.name = "fakelocalize";
+  def.provided = {{"", "localize", 0}};
+  def.required = {{"", "simulation", 0}};
+  def.robot = robot;
+  def.may_fail = true;
+  return def;
 }
 
 }  // namespace ccmorse::servers::player

@@ -45,4 +45,7 @@ class FakeLocalize : public Driver {
   PublishRate rate_;
 };
 
+/// localize:0 of a robot where nothing else is said: its true pose.
+DriverDef TruePlace(const std::string& robot);
+
 }  // namespace ccmorse::servers::player

@@ -2,12 +2,10 @@
 
 #include <utility>
 
-#include "base/error.h"
+#include "base/trig.h"
 
 namespace ccmorse::servers::player {
 namespace {
-
-using wire::MessageType;
 
 navigation::SndOptions ReadOptions(const DriverOptions& options) {
   navigation::SndOptions snd;
@@ -29,79 +27,11 @@ navigation::SndOptions ReadOptions(const DriverOptions& options) {
 
 SndDriver::SndDriver(const DriverDef& def, const DeviceContext& /*context*/,
                      const DeviceList& devices)
-    : Driver(def, devices),
-      input_(Require(wire::kPosition2d, "input")),
-      output_(Require(wire::kPosition2d, "output")),
-      laser_(Require(wire::kLaser)),
-      snd_(ReadOptions(def.options)) {
-  goals_ = Provide(wire::kPosition2d, {{MessageType::kData, wire::kPosition2dDataState},
-                                       {MessageType::kCommand, wire::kPosition2dCmdPos},
-                                       {MessageType::kCommand, wire::kPosition2dCmdVel},
-                                       {MessageType::kRequest, wire::kPosition2dReqGetGeom},
-                                       {MessageType::kRequest, wire::kPosition2dReqMotorPower},
-                                       {MessageType::kRequest, wire::kPosition2dReqVelocityMode},
-                                       {MessageType::kRequest, wire::kPosition2dReqPositionMode},
-                                       {MessageType::kRequest, wire::kPosition2dReqSetOdom},
-                                       {MessageType::kRequest, wire::kPosition2dReqResetOdom}});
-  if (goals_ == nullptr) throw Error("driver snd provides a position2d");
-}
+    : GoalDriver(def, devices, {}), snd_(ReadOptions(def.options)) {}
 
-void SndDriver::Started() {
-  Reply reply;
-  wire::LaserGeom geometry;
-  if (laser_.Request(wire::kLaserReqGetGeom, {}, reply) && reply.body().To(geometry)) {
-    mount_ = {geometry.pose.px, geometry.pose.py, geometry.pose.pyaw};
-  }
-}
-
-void SndDriver::Stopped() {
-  snd_.ClearGoal();
-  Drive(0.0, 0.0);
-  has_pose_ = false;
-}
-
-void SndDriver::Data(const DataMessage& message) {
-  if (&message.device() == &input_) {
-    wire::Position2dData data;
-    if (message.subtype() != wire::kPosition2dDataState || !message.body().To(data)) return;
-    pose_ = {data.pos.px, data.pos.py, data.pos.pa};
-    has_pose_ = true;
-    goals_->Publish(wire::kPosition2dDataState, message.time(), wire::Body::Of(data));
-    return;
-  }
-  wire::LaserData scan;
-  if (&message.device() != &laser_ || message.subtype() != wire::kLaserDataScan ||
-      !message.body().To(scan) || !snd_.goal() || !has_pose_) {
-    return;
-  }
-  const navigation::ScanView seen{scan.min_angle, scan.resolution, scan.max_range, scan.ranges,
-                                  mount_};
-  const navigation::Scan centred = navigation::CentreScan(seen);
-  const navigation::Drive drive = snd_.Step(pose_, centred.View());
-  Drive(drive.speed, drive.turn_rate);
-  if (drive.at_goal) snd_.ClearGoal();
-}
-
-bool SndDriver::Ask(Provided& /*device*/, std::uint8_t subtype, const wire::Body& body,
-                    Reply& reply) {
-  return output_.Request(subtype, body, reply);
-}
-
-void SndDriver::Tell(Provided& /*device*/, std::uint8_t subtype, const wire::Body& body) {
-  wire::Position2dCmdPos goal;
-  if (subtype == wire::kPosition2dCmdPos && body.To(goal)) {
-    snd_.SetGoal({goal.pos.px, goal.pos.py, goal.pos.pa});
-    return;
-  }
-  snd_.ClearGoal();  // somebody drives by hand
-  output_.Command(subtype, body);
-}
-
-void SndDriver::Drive(double speed, double turn_rate) {
-  wire::Position2dCmdVel command;
-  command.vel = {speed, 0.0, turn_rate};
-  command.state = 1;
-  output_.Command(wire::kPosition2dCmdVel, wire::Body::Of(command));
+navigation::Drive SndDriver::Decide(const navigation::RobotState& state) {
+  const navigation::Scan centred = navigation::CentreScan(Scan());
+  return snd_.Step(state.pose, centred.View());
 }
 
 DriverDef SyrotekSnd(const Json::Object& settings) {
