@@ -35,7 +35,7 @@ CLIENT_LAYERS = [
      "Paint"},
     {"MorseSensor", "MorseActuator", "MorsePose", "MorseOdometry", "MorseMotionVW", "MorseLaser",
      "MorseWaypoint", "MorseProperties", "MorseTime", "MorsePen"},
-    {"MorseProxy", "Position2dProxy", "LaserProxy", "WindowProxy", "MorseDriver", "SndDriver",
+    {"MorseProxy", "Position2dProxy", "LaserProxy", "GridMap", "WindowProxy", "MorseDriver", "SndDriver",
      "PlayerClient"},
     {"CCMorse"},
 ]
