@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -230,6 +232,30 @@ TEST(P26, LayersAreTheSameByEitherLink) {
     delete &window;
   }
   EXPECT_TRUE(pictures["fast"] == pictures["json"]);
+}
+
+// The example draws what figures 4.5 to 4.7 show: all of them at least once, and each where it
+// belongs.
+TEST(P28, TheExampleShowsScanInflatedMapPathAndTraceOnTheOccupancyGrid) {
+  const TemporaryFolder folder;
+  Simulator simulator({"syrotek", "--out", folder.path(), "--pace", "lockstep"});
+  const Finished run = RunToEnd({BuiltProgram("layers"), std::to_string(simulator.port()), "34"});
+  ASSERT_EQ(run.status, 0) << run.output;
+  const Image image = ReadPng(folder.path() + "/layers.png");
+  ASSERT_EQ(image.width, 172);
+  ASSERT_EQ(image.height, 186);
+  const auto count = [&](int r, int g, int b) {
+    return std::count(image.pixels.begin(), image.pixels.end(),
+                      Color{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
+                            static_cast<std::uint8_t>(b)});
+  };
+  EXPECT_GT(count(255, 255, 255), 1000);  // free
+  EXPECT_GT(count(128, 128, 128), 1000);  // unknown
+  EXPECT_GT(count(0, 0, 0), 100);         // obstacles
+  EXPECT_GT(count(255, 0, 0), 100);       // trace
+  EXPECT_GT(count(0, 0, 160), 10);        // way back
+  EXPECT_GT(count(77, 77, 255), 100);     // inflated, over what is free
+  EXPECT_GT(count(128, 255, 128), 1000);  // scan, over what is free (P29)
 }
 
 }  // namespace
