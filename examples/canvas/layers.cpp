@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -22,10 +23,17 @@ constexpr int kWidth = 172;       // cells
 constexpr int kHeight = 186;      // cells
 constexpr double kRobot = 0.098;  // m: the radius that obstacles are inflated by
 
+constexpr std::size_t kCells = std::size_t{kWidth} * kHeight;
+
+/// Where a cell stands in a list of all, row by row from the bottom.
+std::size_t IndexOf(ImagePoint_t at) {
+  return static_cast<std::size_t>(at.y) * kWidth + static_cast<std::size_t>(at.x);
+}
+
 /// What is known of each cell: 0 free, 0.5 unknown, 1 an obstacle.
 class Map {
  public:
-  Map() : cells_(kWidth * kHeight, 0.5) {}
+  Map() : cells_(kCells, 0.5) {}
 
   const std::vector<double>& cells() const { return cells_; }
 
@@ -41,7 +49,7 @@ class Map {
  private:
   void Change(int x, int y, double by) {
     if (x < 0 || x >= kWidth || y < 0 || y >= kHeight) return;
-    double& cell = cells_[static_cast<std::size_t>(y * kWidth + x)];
+    double& cell = cells_[IndexOf({x, y})];
     cell = std::clamp(cell + by, 0.0, 1.0);
   }
 
@@ -53,32 +61,31 @@ class Map {
 /// goal.
 std::vector<ImagePoint_t> FindPath(const Map& map, const GridMap& inflated, ImagePoint_t from,
                                    ImagePoint_t goal) {
-  const auto index = [](ImagePoint_t at) { return static_cast<std::size_t>(at.y * kWidth + at.x); };
-  std::vector<int> steps(kWidth * kHeight, -1);
+  std::vector<int> steps(kCells, -1);
   std::vector<ImagePoint_t> front{goal};
-  steps[index(goal)] = 0;
+  steps[IndexOf(goal)] = 0;
   const ImagePoint_t around[] = {{1, 0}, {0, 1},  {-1, 0},  {0, -1},
                                  {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
-  for (std::size_t next = 0; next < front.size() && steps[index(from)] < 0; ++next) {
+  for (std::size_t next = 0; next < front.size() && steps[IndexOf(from)] < 0; ++next) {
     const ImagePoint_t at = front[next];
     for (const ImagePoint_t& way : around) {
       const ImagePoint_t to(at.x + way.x, at.y + way.y);
       if (to.x < 0 || to.x >= kWidth || to.y < 0 || to.y >= kHeight) continue;
       const bool near = std::abs(to.x - from.x) + std::abs(to.y - from.y) < 8;
-      if (steps[index(to)] >= 0 || map.cells()[index(to)] > 0.2) continue;
+      if (steps[IndexOf(to)] >= 0 || map.cells()[IndexOf(to)] > 0.2) continue;
       if (!near && inflated.GetPixel(to.x, to.y)) continue;
-      steps[index(to)] = steps[index(at)] + 1;
+      steps[IndexOf(to)] = steps[IndexOf(at)] + 1;
       front.push_back(to);
     }
   }
   std::vector<ImagePoint_t> path;
-  if (steps[index(from)] < 0) return path;
-  for (ImagePoint_t at = from; steps[index(at)] > 0;) {
+  if (steps[IndexOf(from)] < 0) return path;
+  for (ImagePoint_t at = from; steps[IndexOf(at)] > 0;) {
     path.push_back(at);
     for (const ImagePoint_t& way : around) {
       const ImagePoint_t to(at.x + way.x, at.y + way.y);
       if (to.x < 0 || to.x >= kWidth || to.y < 0 || to.y >= kHeight) continue;
-      if (steps[index(to)] == steps[index(at)] - 1) {
+      if (steps[IndexOf(to)] == steps[IndexOf(at)] - 1) {
         at = to;
         break;
       }

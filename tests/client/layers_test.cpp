@@ -28,6 +28,7 @@ class Layered : public ::testing::Test {
  protected:
   static constexpr int kWidth = 12;
   static constexpr int kHeight = 9;
+  static constexpr std::size_t kCells = std::size_t{kWidth} * kHeight;
 
   Layered() : window(WindowProxy::GetInstance(&client, kWidth, kHeight)) { Hear(); }
   ~Layered() override { delete &window; }
@@ -97,9 +98,9 @@ TEST_F(P26, ManyMapsAreKeptByName) {
 
 TEST_F(P26, OnlyWhatHasChangedLeavesWithTheNextRead) {
   GridMap& base = window.AddLayer("base");
-  base.SetOccupancy(std::vector<double>(kWidth * kHeight, 0.5));
+  base.SetOccupancy(std::vector<double>(kCells, 0.5));
   EXPECT_EQ(Hear(), 0U);  // not before a Read()
-  EXPECT_EQ(Read(), std::size_t{kWidth * kHeight});
+  EXPECT_EQ(Read(), kCells);
   EXPECT_EQ(Read(), 0U);
   GridMap& scan = window.AddLayer("scan", kGreen, 1);
   scan.SetLine(0, 0, 3, 0);
@@ -116,7 +117,7 @@ TEST_F(P26, OnlyWhatHasChangedLeavesWithTheNextRead) {
   EXPECT_EQ(Shown(0, 0), (Color_t{1, 2, 3}));
   EXPECT_EQ(Shown(1, 0), LayerColor::kUnknown);
   window.Redraw();
-  EXPECT_EQ(Read(), std::size_t{kWidth * kHeight});
+  EXPECT_EQ(Read(), kCells);
 }
 
 TEST_F(P26, RequestsSeeTheLayersAndTheEndOfTheWindowKeepsThem) {
@@ -213,7 +214,7 @@ TEST_F(P27, PriorityAndWhetherItIsShown) {
 
 TEST_F(P28, OccupancyIsWhiteGreyAndBlack) {
   GridMap& base = window.AddLayer("base");
-  std::vector<double> cells(kWidth * kHeight, 0.5);
+  std::vector<double> cells(kCells, 0.5);
   cells[0] = 0.0;
   cells[1] = 1.0;
   cells[2] = std::nan("");
@@ -402,7 +403,7 @@ TEST_F(P26, RandomLayersAreComposedAsTheReferenceDoes) {
         layer.color = color();
         layer.priority = in(-2, 2);
         layer.transparency = in(0, 1) == 0 ? 0.0 : in(0, 100) / 100.0;
-        layer.cells.resize(kWidth * kHeight);
+        layer.cells.resize(kCells);
         window.AddLayer(layer.name, layer.color, layer.priority, layer.transparency);
         layers.push_back(layer);
       }

@@ -180,7 +180,7 @@ TEST(P13, TheCopyIsTheSameByEveryWayToTheCanvas) {
     ASSERT_EQ(image.width, 172);
     ASSERT_EQ(image.height, 186);
     const auto cell = [&](int x, int y) {
-      return image.pixels[static_cast<std::size_t>((185 - y) * 172 + x)];
+      return image.pixels[static_cast<std::size_t>(185 - y) * 172 + static_cast<std::size_t>(x)];
     };
     EXPECT_EQ(cell(21, 31), (Color{0, 0, 255}));
     EXPECT_EQ(cell(20, 30), (Color{255, 0, 0}));
@@ -210,7 +210,7 @@ TEST(P26, LayersAreTheSameByEitherLink) {
     auto& inflated = window.AddLayer("inflated", CCMorse::LayerColor::kInflated, 1, 0.5);
     auto& scan = window.AddLayer("scan", CCMorse::LayerColor::kScan, 2, 0.6);
     auto& trace = window.AddLayer("trace", CCMorse::LayerColor::kTrace, 3);
-    std::vector<double> occupancy(300 * 320, 0.5);
+    std::vector<double> occupancy(std::size_t{300} * 320, 0.5);
     for (std::size_t i = 0; i < 50000; ++i) occupancy[i] = i % 331 == 0 ? 1.0 : 0.0;
     base.SetOccupancy(occupancy);
     for (int i = 0; i < 30; ++i) {
@@ -225,7 +225,8 @@ TEST(P26, LayersAreTheSameByEitherLink) {
     pictures[link] = ReadFile(folder.path() + "/layers.png");
     const auto image = window.GetImageData();
     const auto at = [&](double x, double y) {
-      return image[static_cast<std::size_t>(window.GetY(y) * 300 + window.GetX(x))];
+      return image[static_cast<std::size_t>(window.GetY(y)) * 300 +
+                   static_cast<std::size_t>(window.GetX(x))];
     };
     EXPECT_EQ(at(position.GetXPos(), position.GetYPos()), CCMorse::LayerColor::kTrace);
     EXPECT_EQ(image.back(), CCMorse::LayerColor::kUnknown);
