@@ -191,7 +191,7 @@ TEST_F(P13, ACopyIsAPngOnDisk) {
   EXPECT_EQ(image.width, 172);
   EXPECT_EQ(image.height, 186);
   // Cell (0, 0) is the arena's bottom-left corner, so the picture's last row.
-  EXPECT_EQ(image.pixels[185 * 172], (Color{9, 8, 7}));
+  EXPECT_EQ(image.pixels[std::size_t{185} * 172], (Color{9, 8, 7}));
   std::filesystem::remove(path);
 }
 
