@@ -36,9 +36,9 @@ CLIENT_LAYERS = [
     {"MorseError", "Types", "MorseValue", "MorseClient", "MorseRobot", "MorseDevice",
      "Paint"},
     {"MorseSensor", "MorseActuator", "MorsePose", "MorseOdometry", "MorseMotionVW", "MorseLaser",
-     "MorseWaypoint", "MorseProperties", "MorseTime", "MorsePen",
-     "MorseArena"},
-    {"MorseProxy", "Position2dProxy", "LaserProxy", "WindowProxy", "MorseDriver", "SndDriver",
+     "MorseWaypoint", "MorseProperties", "MorseTime", "MorsePen", "MorseArena"},
+    {"MorseProxy", "Position2dProxy", "LaserProxy", "GridMap", "WindowProxy", "MorseDriver",
+     "SndDriver",
      "PlayerClient"},
     {"CCMorse"},
 ]

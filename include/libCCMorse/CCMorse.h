@@ -2,6 +2,7 @@
 
 // The whole library in one header, for programs that run in the simulator (thesis listing C.1).
 
+#include "libCCMorse/GridMap.h"
 #include "libCCMorse/LaserProxy.h"
 #include "libCCMorse/MorseActuator.h"
 #include "libCCMorse/MorseArena.h"

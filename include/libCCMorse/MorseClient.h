@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -146,6 +147,10 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
                      const MorseArgs& args = MorseArgs(), double timeout = -1.0);
   /// Sends the commands that wait now.
   void Flush();
+  /// Has `prepare` called at the start of every Read(), in the thread that reads, until the handle
+  /// goes: for commands that leave with this Read(). `prepare` may use commands and getters, no
+  /// Read(); it must not throw. A call that is on its way when the handle goes is finished.
+  [[nodiscard]] std::shared_ptr<void> BeforeRead(std::function<void()> prepare);
 
  private:
   friend class MorseDevice;

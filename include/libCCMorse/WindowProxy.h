@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "libCCMorse/GridMap.h"
 #include "libCCMorse/MorsePen.h"
 #include "libCCMorse/MorseProxy.h"
 #include "libCCMorse/PlayerClient.h"
@@ -17,6 +18,12 @@ namespace CCMorse {
 /// There is at most one. GetInstance(client, width, height) makes it, `delete &GetInstance()` ends
 /// it (thesis listing C.2, line 80), and a new one may follow. It may outlive the client: then
 /// drawing is ignored. Any thread may draw; making and deleting is up to one.
+///
+/// The window draws straight on the canvas, as the pen does, or manages grid maps in layers:
+/// AddLayer() makes one, and each Read() brings what all of them show together to the canvas, only
+/// the cells that have changed. Beneath the lowest layer there is white; a cell that no layer ever
+/// coloured is left alone. What is drawn straight on the canvas stays until a layer changes
+/// that cell.
 class WindowProxy : public MorseProxy {
  public:
   /// Makes the window with `width` times `height` cells, or changes the one there is to that size.
@@ -41,6 +48,8 @@ class WindowProxy : public MorseProxy {
     pen_->SetLine(x0, y0, x1, y1, paint...);
   }
 
+  // --- What is on the canvas. Layers are brought up to date first.
+
   /// Colour of a cell, asked from the simulator. Throws MorseError outside the canvas or without an
   /// answer; so do the following requests.
   Color_t GetPixel(int x, int y);
@@ -54,9 +63,28 @@ class WindowProxy : public MorseProxy {
   /// Saves the canvas as PNG under `name`, where the simulator runs.
   void SaveImageCopy(const std::string& name);
 
+  // --- Layers of grid maps (thesis 4.2.2)
+
+  /// Makes a layer, clear and of the window's size. `color`: of cells that are set without a colour
+  /// of their own; `priority`: layers of a higher one lie above; `transparency`: 0 (covers) to 1.
+  /// The layer is the window's, until RemoveLayer(). Throws MorseError when there is one of that
+  /// name, or for a transparency out of its range.
+  GridMap& AddLayer(const std::string& name, Color_t color = Color_t(), int priority = 0,
+                    double transparency = 0.0);
+  /// The layer of that name. Throws MorseError that lists the layers when there is none.
+  GridMap& GetLayer(const std::string& name) const;
+  bool HasLayer(const std::string& name) const;
+  /// The names of all layers, from the lowest to the topmost.
+  std::vector<std::string> GetLayerNames() const;
+  /// Ends a layer. Throws MorseError when there is none of that name.
+  void RemoveLayer(const std::string& name);
+  /// Has all cells of all layers drawn again with the next Read(), over whatever was drawn straight
+  /// on the canvas or by others, and after the simulation was reset.
+  void Redraw();
+
   // --- The canvas
 
-  /// Changes the resolution, cells; what was drawn is gone.
+  /// Changes the resolution, cells; what was drawn is gone, in the layers, too.
   void ResizeCanvas(int width, int height);
   /// Cells across and up, as of the last ResizeCanvas() or RefreshSize().
   int GetWidth() const;
@@ -73,6 +101,8 @@ class WindowProxy : public MorseProxy {
  private:
   WindowProxy(PlayerClient* client, MorsePen& pen);
   MorsePen* const pen_;  // owned by the client object, which the base class keeps alive
+  const std::shared_ptr<Layers> layers_;
+  std::shared_ptr<void> before_read_;
 };
 
 }  // namespace CCMorse

@@ -14,18 +14,22 @@ constexpr std::string_view kDigits =
 }  // namespace
 
 std::string ToBase64(std::string_view bytes) {
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t k = i; k < i + 3; ++k) {
-      three = three << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      const bool padding = i + k > bytes.size();
-      text += padding ? '=' : kDigits[three >> (18 - 6 * k) & 63U];
-    }
+  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  char* to = text.data();
+  const auto byte = [&](std::size_t at) -> std::uint32_t {
+    return static_cast<unsigned char>(bytes[at]);
+  };
+  // The first digits of three bytes; whole canvases come this way, so no digit is asked whether it
+  // is the last.
+  const auto write = [&](std::uint32_t three, std::size_t digits) {
+    for (std::size_t k = 0; k < digits; ++k) *to++ = kDigits[three >> (18 - 6 * k) & 63U];
+  };
+  std::size_t i = 0;
+  for (; i + 3 <= bytes.size(); i += 3) {
+    write(byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2), 4);
   }
+  if (bytes.size() - i == 1) write(byte(i) << 16U, 2);
+  if (bytes.size() - i == 2) write(byte(i) << 16U | byte(i + 1) << 8U, 3);
   return text;
 }
 

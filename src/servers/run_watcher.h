@@ -10,7 +10,10 @@ class RunWatcher {
   virtual ~RunWatcher() = default;
   /// After each Simulation::Sense().
   virtual void Sensed() {}
-  /// Before each input, in the order in which they are applied.
+  /// Whether it wants to hear of inputs. Putting them into words takes longer than most of them, so
+  /// it is done for those only that read them.
+  virtual bool WantsInputs() const { return false; }
+  /// Before each input, in the order in which they are applied; see WantsInputs().
   virtual void Incoming(const Input&) {}
   /// After each Simulation::Act().
   virtual void Acted() {}

@@ -51,8 +51,11 @@ Runner::Runner(sim::Simulation& simulation, const RunOptions& options)
 
 void Runner::AddWatcher(RunWatcher& watcher) {
   watchers_.push_back(&watcher);
+  if (!watcher.WantsInputs()) return;
   directory_.set_input_tap([this](const Input& input) {
-    for (RunWatcher* each : watchers_) each->Incoming(input);
+    for (RunWatcher* each : watchers_) {
+      if (each->WantsInputs()) each->Incoming(input);
+    }
   });
 }
 

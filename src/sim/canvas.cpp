@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <string_view>
 
 #include "base/error.h"
+#include "base/line_cells.h"
 
 namespace ccmorse::sim {
 namespace {
@@ -16,17 +16,6 @@ constexpr Color kWhite{255, 255, 255};
 
 std::uint8_t Blend(std::uint8_t over, std::uint8_t under, double alpha) {
   return static_cast<std::uint8_t>(std::lround(alpha * over + (1.0 - alpha) * under));
-}
-
-// The part of [0, steps] for which start + sign * k lies in [0, size).
-void ClipSteps(std::int64_t start, int sign, int size, std::int64_t* first, std::int64_t* last) {
-  if (sign > 0) {
-    *first = std::max<std::int64_t>(*first, -start);
-    *last = std::min<std::int64_t>(*last, size - 1 - start);
-  } else {
-    *first = std::max<std::int64_t>(*first, start - (size - 1));
-    *last = std::min<std::int64_t>(*last, start);
-  }
 }
 
 }  // namespace
@@ -79,26 +68,8 @@ Color Canvas::GetPixel(int x, int y) const { return cells_[At(x, y)]; }
 bool Canvas::IsDrawn(int x, int y) const { return drawn_[At(x, y)]; }
 
 void Canvas::DrawLine(int x0, int y0, int x1, int y1, Color color, double alpha) {
-  const std::int64_t dx = std::llabs(std::int64_t{x1} - x0);
-  const std::int64_t dy = std::llabs(std::int64_t{y1} - y0);
-  const int sign_x = x1 >= x0 ? 1 : -1;
-  const int sign_y = y1 >= y0 ? 1 : -1;
-  // Bresenham's line in closed form: after k steps along the longer axis the shorter one has made
-  // floor((2 k short + long) / (2 long)). So a far-away end costs nothing: steps outside are
-  // skipped.
-  const bool steep = dy > dx;
-  const std::int64_t steps = std::max(dx, dy);
-  const std::int64_t minor = std::min(dx, dy);
-  std::int64_t first = 0;
-  std::int64_t last = steps;
-  ClipSteps(steep ? y0 : x0, steep ? sign_y : sign_x, steep ? height_ : width_, &first, &last);
-  for (std::int64_t k = first; k <= last; ++k) {
-    const std::int64_t side = steps == 0 ? 0 : (2 * k * minor + steps) / (2 * steps);
-    const std::int64_t x = x0 + sign_x * (steep ? side : k);
-    const std::int64_t y = y0 + sign_y * (steep ? k : side);
-    if (x < 0 || x >= width_ || y < 0 || y >= height_) continue;
-    SetPixel(static_cast<int>(x), static_cast<int>(y), color, alpha);
-  }
+  ForEachLineCell(x0, y0, x1, y1, width_, height_,
+                  [&](int x, int y) { SetPixel(x, y, color, alpha); });
 }
 
 void Canvas::AddToHash(StateHash& hash) const {

@@ -1,5 +1,6 @@
 // The second layer: devices as MORSE has them (thesis 3.1.2).
 
+#include <functional>
 #include <type_traits>
 
 #include "tests/client/client_fixture.h"
@@ -158,64 +159,95 @@ TEST_F(L208, TimeModeAndStatistics) {
   EXPECT_THROW(time.SetTimeScale(0.0), MorseError);
 }
 
-TEST_F(L209, PenHasAllOverloads) {
-  MorsePen& pen = Get<MorsePen>();
-  using uchar = unsigned char;
-  server.ClearLines();
-  pen.SetPixel(1, 2, 255, 0, 255);
-  pen.SetPixel(1, 2, 300, -5, 7, 51);  // held within 0..255
-  pen.SetPixel(1, 2, uchar{1}, uchar{2}, uchar{3});
-  pen.SetPixel(1, 2, uchar{1}, uchar{2}, uchar{3}, uchar{255});
-  pen.SetPixel(1, 2, 1.0, 0.5, 0.0);
-  pen.SetPixel(1, 2, 1.0, 0.5, 0.0, 0.25);
-  pen.SetPixel(1, 2, "#34AAFF");
-  pen.SetPixel(1, 2, "#34aaff", 0);
-  pen.SetPixel(1, 2, "#34AAFF", 0.5);
-  pen.SetPixel(1, 2, 255, 0, 255, 0.5);
-  pen.SetPixel(1, 2, 1, 0.5, 0.0F);
-  pen.SetPixel(1, 2, uchar{9}, 8, 7L, 255);
-  client->Read();
-  // The highest alpha covers, as no alpha does, so it is not sent.
-  const Lines expected{
-      "[1, 2, 255, 0, 255]",      "[1, 2, 255, 0, 7, 0.2]",    "[1, 2, 1, 2, 3]",
-      "[1, 2, 1, 2, 3]",          "[1, 2, 255, 128, 0]",       "[1, 2, 255, 128, 0, 0.25]",
-      "[1, 2, 52, 170, 255]",     "[1, 2, 52, 170, 255, 0.0]", "[1, 2, 52, 170, 255, 0.5]",
-      "[1, 2, 255, 0, 255, 0.5]", "[1, 2, 255, 128, 0]",       "[1, 2, 9, 8, 7]"};
-  const Lines lines = server.Lines();
-  ASSERT_GE(lines.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    EXPECT_EQ(lines[i], "s1r.pen set_pixel " + expected[i]) << i;
+using uchar = unsigned char;
+
+// What the simulator hears of the pen's drawing, a service's arguments a line. The highest alpha
+// covers, as no alpha does, so it is not sent.
+class Pens : public Devices {
+ protected:
+  Lines Sent(const std::string& service, const std::function<void(MorsePen&)>& draw) {
+    server.ClearLines();
+    draw(Get<MorsePen>());
+    client->Read();
+    Lines sent;
+    for (const std::string& line : server.Lines()) {
+      const std::string start = "s1r.pen " + service + " ";
+      if (line.rfind(start, 0) == 0) sent.push_back(line.substr(start.size()));
+    }
+    return sent;
   }
-  for (const char* wrong : {"", "34AAFF", "#34AAF", "#34AAFG", "#34AAFF0", "blue"}) {
-    EXPECT_THROW(pen.SetPixel(0, 0, wrong), MorseError) << wrong;
-  }
+};
+using P20 = Pens;
+using P21 = Pens;
+using P22 = Pens;
+using P23 = Pens;
+using P24 = Pens;
+
+TEST_F(P20, APixelIn8BitColoursWithAlpha) {
+  EXPECT_EQ(Sent("set_pixel",
+                 [](MorsePen& pen) {
+                   pen.SetPixel(1, 2, uchar{1}, uchar{2}, uchar{3}, uchar{255});
+                   pen.SetPixel(1, 2, uchar{1}, uchar{2}, uchar{3}, uchar{51});
+                   pen.SetPixel(1, 2, 300, -5, 7, 51);  // held within 0..255
+                   pen.SetPixel(1, 2, 255, 0, 255, 0.5);
+                   pen.SetPixel(1, 2, uchar{9}, 8, 7L, 255);
+                 }),
+            (Lines{"[1, 2, 1, 2, 3]", "[1, 2, 1, 2, 3, 0.2]", "[1, 2, 255, 0, 7, 0.2]",
+                   "[1, 2, 255, 0, 255, 0.5]", "[1, 2, 9, 8, 7]"}));
 }
 
-TEST_F(L209, LinesHaveTheSameOverloads) {
-  MorsePen& pen = Get<MorsePen>();
-  using uchar = unsigned char;
-  server.ClearLines();
-  pen.SetLine(0, 1, 2, 3, 0, 255, 0);
-  pen.SetLine(0, 1, 2, 3, 0, 255, 0, 51);
-  pen.SetLine(0, 1, 2, 3, uchar{1}, uchar{2}, uchar{3});
-  pen.SetLine(0, 1, 2, 3, uchar{1}, uchar{2}, uchar{3}, uchar{0});
-  pen.SetLine(0, 1, 2, 3, 0.0, 1.0, 2.0);
-  pen.SetLine(0, 1, 2, 3, 0.0, 1.0, 0.0, 0.75);
-  pen.SetLine(0, 1, 2, 3, "#000102");
-  pen.SetLine(0, 1, 2, 3, "#000102", 255);
-  pen.SetLine(0, 1, 2, 3, "#000102", 0.5);
-  pen.SetLine(0, 1, 2, 3, 0.5, 1, 0);
-  client->Read();
-  const Lines expected{"[0, 1, 2, 3, 0, 255, 0]",    "[0, 1, 2, 3, 0, 255, 0, 0.2]",
-                       "[0, 1, 2, 3, 1, 2, 3]",      "[0, 1, 2, 3, 1, 2, 3, 0.0]",
-                       "[0, 1, 2, 3, 0, 255, 255]",  "[0, 1, 2, 3, 0, 255, 0, 0.75]",
-                       "[0, 1, 2, 3, 0, 1, 2]",      "[0, 1, 2, 3, 0, 1, 2]",
-                       "[0, 1, 2, 3, 0, 1, 2, 0.5]", "[0, 1, 2, 3, 128, 255, 0]"};
-  const Lines lines = server.Lines();
-  ASSERT_GE(lines.size(), expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    EXPECT_EQ(lines[i], "s1r.pen set_line " + expected[i]) << i;
-  }
+TEST_F(P21, APixelIn8BitColours) {
+  EXPECT_EQ(Sent("set_pixel",
+                 [](MorsePen& pen) {
+                   pen.SetPixel(1, 2, 255, 0, 255);
+                   pen.SetPixel(1, 2, uchar{1}, uchar{2}, uchar{3});
+                 }),
+            (Lines{"[1, 2, 255, 0, 255]", "[1, 2, 1, 2, 3]"}));
+}
+
+TEST_F(P22, APixelInDecimals) {
+  EXPECT_EQ(Sent("set_pixel",
+                 [](MorsePen& pen) {
+                   pen.SetPixel(1, 2, 1.0, 0.5, 0.0);
+                   pen.SetPixel(1, 2, 1.0, 0.5, 0.0, 0.25);
+                   pen.SetPixel(1, 2, 1, 0.5, 0.0F);
+                 }),
+            (Lines{"[1, 2, 255, 128, 0]", "[1, 2, 255, 128, 0, 0.25]", "[1, 2, 255, 128, 0]"}));
+}
+
+TEST_F(P23, APixelInTheCodeOfAColour) {
+  EXPECT_EQ(
+      Sent("set_pixel",
+           [](MorsePen& pen) {
+             pen.SetPixel(1, 2, "#34AAFF");
+             pen.SetPixel(1, 2, "#34aaff", 0);
+             pen.SetPixel(1, 2, "#34AAFF", 0.5);
+             for (const char* wrong : {"", "34AAFF", "#34AAF", "#34AAFG", "#34AAFF0", "blue"}) {
+               EXPECT_THROW(pen.SetPixel(0, 0, wrong), MorseError) << wrong;
+             }
+           }),
+      (Lines{"[1, 2, 52, 170, 255]", "[1, 2, 52, 170, 255, 0.0]", "[1, 2, 52, 170, 255, 0.5]"}));
+}
+
+TEST_F(P24, LinesHaveTheSameOverloads) {
+  EXPECT_EQ(
+      Sent("set_line",
+           [](MorsePen& pen) {
+             pen.SetLine(0, 1, 2, 3, 0, 255, 0);
+             pen.SetLine(0, 1, 2, 3, 0, 255, 0, 51);
+             pen.SetLine(0, 1, 2, 3, uchar{1}, uchar{2}, uchar{3});
+             pen.SetLine(0, 1, 2, 3, uchar{1}, uchar{2}, uchar{3}, uchar{0});
+             pen.SetLine(0, 1, 2, 3, 0.0, 1.0, 2.0);
+             pen.SetLine(0, 1, 2, 3, 0.0, 1.0, 0.0, 0.75);
+             pen.SetLine(0, 1, 2, 3, "#000102");
+             pen.SetLine(0, 1, 2, 3, "#000102", 255);
+             pen.SetLine(0, 1, 2, 3, "#000102", 0.5);
+             pen.SetLine(0, 1, 2, 3, 0.5, 1, 0);
+           }),
+      (Lines{"[0, 1, 2, 3, 0, 255, 0]", "[0, 1, 2, 3, 0, 255, 0, 0.2]", "[0, 1, 2, 3, 1, 2, 3]",
+             "[0, 1, 2, 3, 1, 2, 3, 0.0]", "[0, 1, 2, 3, 0, 255, 255]",
+             "[0, 1, 2, 3, 0, 255, 0, 0.75]", "[0, 1, 2, 3, 0, 1, 2]", "[0, 1, 2, 3, 0, 1, 2]",
+             "[0, 1, 2, 3, 0, 1, 2, 0.5]", "[0, 1, 2, 3, 128, 255, 0]"}));
 }
 
 TEST_F(L209, WholeImagesAndSizes) {

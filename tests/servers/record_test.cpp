@@ -32,6 +32,37 @@ constexpr const char* kTwoRobots =
     R"({"robots": [{"name": "s1r", "pose": {"x": 1.2, "y": 2.0}},
                    {"name": "two", "pose": {"x": 2.2, "y": 2.6}}]})";
 
+class Listener : public RunWatcher {
+ public:
+  explicit Listener(bool wants) : wants_(wants) {}
+  bool WantsInputs() const override { return wants_; }
+  void Incoming(const Input& /*input*/) override { ++heard_; }
+  int heard() const { return heard_; }
+
+ private:
+  bool wants_;
+  int heard_ = 0;
+};
+
+TEST(RunWatcher, InputsAreToldToThoseWhoWantThem) {
+  sim::Simulation simulation(scene::ParseScenario("{}", "test.json"));
+  RunOptions options;
+  options.morse.port = 0;
+  options.morse.first_stream_port = 0;
+  Runner runner(simulation, options);
+  Listener looks_only(false);
+  Listener reads(true);
+  runner.AddWatcher(looks_only);
+  runner.AddWatcher(reads);
+  std::thread thread([&] { runner.Run(); });
+  EXPECT_EQ(LineClient(runner.morse().port()).Ask("1 s1r.pen set_pixel [1, 1, 1, 2, 3]"),
+            "1 SUCCESS");
+  runner.Stop();
+  thread.join();
+  EXPECT_EQ(looks_only.heard(), 0);
+  EXPECT_EQ(reads.heard(), 1);
+}
+
 // A lock-step run of `seconds` in which a client sends lines before each read (ten a second).
 std::string RecordLockstep(const std::string& folder, double seconds,
                            const std::function<std::string(int)>& lines,

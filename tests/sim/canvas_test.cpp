@@ -39,6 +39,8 @@ class PenTest : public ::testing::Test {
 };
 
 // The requirement ids of thesis 4.2 as test suites.
+class P01 : public PenTest {};
+class P02 : public PenTest {};
 class P08 : public PenTest {};
 class P09 : public PenTest {};
 class P10 : public PenTest {};
@@ -46,6 +48,53 @@ class P11 : public PenTest {};
 class P12 : public PenTest {};
 class P13 : public PenTest {};
 class P14 : public PenTest {};
+
+TEST_F(P01, AGridMapIsThePictureCellByCell) {
+  // Free cells white, unknown ones grey, obstacles black: one of a pattern of its own.
+  Ask("resize_canvas", {7, 5});
+  std::vector<Color> cells;
+  Json::Array pixels;
+  for (int i = 0; i < 35; ++i) {
+    const int level = i % 3 == 0 ? 255 : i % 5 == 0 ? 0 : 128;
+    const auto byte = static_cast<std::uint8_t>(level);
+    cells.push_back({byte, byte, byte});
+    pixels.emplace_back(Json::Array{level, level, level});
+  }
+  Ask("set_image_data", {Json(pixels)});
+  const Image image = simulation_.canvas().ToImage();
+  ASSERT_EQ(image.width, 7);
+  ASSERT_EQ(image.height, 5);
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 7; ++x) {
+      EXPECT_EQ(image.pixels[static_cast<std::size_t>((4 - y) * 7 + x)],
+                cells[static_cast<std::size_t>(y * 7 + x)])
+          << x << " " << y;
+    }
+  }
+}
+
+TEST_F(P02, EveryRobotWithAPenDrawsOnTheOneCanvas) {
+  Simulation two(scene::ParseScenario(
+      R"({"robots": [{"name": "a", "pose": {"x": 1, "y": 2}}, {"name": "b", "pose": {"x": 2, "y": 2}}]})",
+      "test.json"));
+  const auto ask = [&](const std::string& pen, const std::string& name,
+                       const Json::Array& arguments) {
+    for (const Service& service : two.FindComponent(pen)->services()) {
+      if (service.name == name) return service.run(arguments);
+    }
+    throw std::runtime_error("no service " + name);
+  };
+  const std::uint64_t before = two.canvas().revision();
+  two.Sense();
+  two.Act();
+  EXPECT_EQ(two.canvas().revision(), before);  // passive: it changes by pens only
+  ask("a.pen", "set_pixel", {1, 1, 1, 2, 3});
+  ask("b.pen", "set_pixel", {2, 2, 4, 5, 6});
+  for (const char* pen : {"a.pen", "b.pen"}) {
+    EXPECT_EQ(ask(pen, "get_pixel", {1, 1}), Json::Parse("[1, 2, 3]"));
+    EXPECT_EQ(ask(pen, "get_pixel", {2, 2}), Json::Parse("[4, 5, 6]"));
+  }
+}
 
 TEST_F(P08, APixelThatIsSetIsWhatIsGot) {
   Ask("set_pixel", {3, 4, 10, 20, 30});
@@ -142,7 +191,7 @@ TEST_F(P13, ACopyIsAPngOnDisk) {
   EXPECT_EQ(image.width, 172);
   EXPECT_EQ(image.height, 186);
   // Cell (0, 0) is the arena's bottom-left corner, so the picture's last row.
-  EXPECT_EQ(image.pixels[185 * 172], (Color{9, 8, 7}));
+  EXPECT_EQ(image.pixels[std::size_t{185} * 172], (Color{9, 8, 7}));
   std::filesystem::remove(path);
 }
 

@@ -198,12 +198,28 @@ struct MorseClient::Impl {
   int retry_limit = 0;
   double retry_time = 2.0;
 
+  std::mutex prepare_mutex;
+  std::vector<std::weak_ptr<std::function<void()>>> prepare;
+
   std::mutex thread_mutex;  // thread
   std::thread thread;
   std::atomic<bool> stop_thread{false};
   std::atomic<bool> thread_ended{false};
   std::atomic<bool> stop_run{false};
   std::atomic<bool> closed{false};
+
+  // Of BeforeRead(). What is called is copied: it may take as long as it likes, or come and go.
+  void Prepare() {
+    std::vector<std::shared_ptr<std::function<void()>>> calls;
+    {
+      const std::lock_guard lock(prepare_mutex);
+      std::erase_if(prepare, [](const auto& call) { return call.expired(); });
+      for (const auto& call : prepare) calls.push_back(call.lock());
+    }
+    for (const auto& call : calls) {
+      if (call) (*call)();
+    }
+  }
 
   // --- The two ways to read; the read_mutex is held.
 
@@ -492,8 +508,16 @@ std::mutex& MorseClient::DataMutex() const { return impl_->data_mutex; }
 
 void MorseClient::Read() { ReadOnce(false); }
 
+std::shared_ptr<void> MorseClient::BeforeRead(std::function<void()> prepare) {
+  auto handle = std::make_shared<std::function<void()>>(std::move(prepare));
+  const std::lock_guard lock(impl_->prepare_mutex);
+  impl_->prepare.push_back(handle);
+  return handle;
+}
+
 void MorseClient::ReadOnce(bool may_abandon) {
   Impl& impl = *impl_;
+  impl.Prepare();
   std::unique_lock read_lock(impl.read_mutex);
   {
     const std::lock_guard lock(impl.state_mutex);

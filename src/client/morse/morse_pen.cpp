@@ -14,6 +14,8 @@ const bool kRegistered = RegisterMorseDevice({{"pen"}, {"Pen"}, [](const MorseDe
 
 // The simulator takes cells in this range, on the canvas or not.
 constexpr int kFarthestCell = 1000000000;
+// Cells of one line of text: each has at most 41 characters, and a line 1 MiB.
+constexpr std::size_t kMostListed = 25000;
 
 ImagePoint_t Held(ImagePoint_t at) {
   return {std::clamp(at.x, -kFarthestCell, kFarthestCell),
@@ -112,12 +114,15 @@ void MorsePen::UpdateImageData(const std::vector<PixelUpdate_t>& pixels) {
   std::vector<PixelUpdate_t> held(pixels);
   for (PixelUpdate_t& pixel : held) pixel.point = Held(pixel.point);
   if (CommandPixels("update_image_data", held.data(), held.size())) return;
-  MorseArgs list;
-  for (const PixelUpdate_t& pixel : held) {
-    list.Add(MorseArgs(pixel.point.x, pixel.point.y, int{pixel.color.r}, int{pixel.color.g},
-                       int{pixel.color.b}));
+  for (std::size_t first = 0; first < held.size(); first += kMostListed) {
+    MorseArgs list;
+    for (std::size_t i = first; i < std::min(held.size(), first + kMostListed); ++i) {
+      const PixelUpdate_t& pixel = held[i];
+      list.Add(MorseArgs(pixel.point.x, pixel.point.y, int{pixel.color.r}, int{pixel.color.g},
+                         int{pixel.color.b}));
+    }
+    Command("update_image_data", MorseArgs().Add(list));
   }
-  Command("update_image_data", MorseArgs().Add(list));
 }
 
 void MorsePen::SaveImageCopy(const std::string& name) {

@@ -39,6 +39,7 @@ class Recorder : public RunWatcher {
   ~Recorder() override;
 
   void Sensed() override;
+  bool WantsInputs() const override { return true; }
   void Incoming(const Input& input) override;
   void Acted() override;
   void Ended(bool sensed) override;
