@@ -108,6 +108,12 @@ class Trail {
     this.line.frustumCulled = false;
   }
 
+  clear(): void {
+    this.count = 0;
+    this.line.geometry.setDrawRange(0, 0);
+    this.last.set(Infinity, Infinity);
+  }
+
   add(x: number, y: number): void {
     const step = Math.hypot(x - this.last.x, y - this.last.y);
     if (step < TRAIL_STEP) return;
@@ -392,6 +398,8 @@ export class Stage {
   show(frame: Frame): void {
     if (this.scene === null) return;
     const seconds = Math.min(0.2, Math.max(0, frame.time - this.lastTime));
+    // A jump back in a record.
+    if (frame.time < this.lastTime) for (const robot of this.robots) robot.trail.clear();
     this.lastTime = frame.time;
     this.states = frame.robots;
     frame.robots.forEach((state, i) => this.robots[i]?.show(state, seconds, this.layers));
