@@ -278,8 +278,9 @@ TEST(WebServer, AViewerThatDoesNotConfirmGetsNoMoreFrames) {
   EXPECT_EQ(beast::get_lowest_layer(socket).socket().available(), 0U);
 }
 
-// The requirement: 20 viewers slow the tick by less than 5 %. By the processor time of the
-// simulation's thread, which other programs of the machine disturb least, at full speed.
+// The requirement: 20 viewers slow the tick by less than 5 %. At full speed, where the loop leaves
+// no time unused. Counted in processor time of the loop's thread a round of frames, 60 of which go
+// out in a second, so that other programs that take the processor do not count.
 TEST(WebServer, TwentyViewersSlowTheTickByLessThanFivePercent) {
   if (std::string(CCMORSE_SANITIZE) != "")
     GTEST_SKIP() << "sanitizers slow one down, not the other";
@@ -289,7 +290,11 @@ TEST(WebServer, TwentyViewersSlowTheTickByLessThanFivePercent) {
   WebServerOptions options;
   options.port = 0;
   WebServer server(io, simulation, directory, options);
-  const auto tick_for = [&](std::chrono::milliseconds time) {
+  struct Cost {
+    double cpu = 0.0;  // s
+    double ticks = 0.0;
+  };
+  const auto tick_for = [&](std::chrono::milliseconds time, Cost& cost) {
     const auto cpu = [] {
       timespec now{};
       ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -297,8 +302,7 @@ TEST(WebServer, TwentyViewersSlowTheTickByLessThanFivePercent) {
     };
     const auto until = std::chrono::steady_clock::now() + time;
     const double before = cpu();
-    std::uint64_t ticks = 0;
-    for (; std::chrono::steady_clock::now() < until; ++ticks) {
+    for (; std::chrono::steady_clock::now() < until; ++cost.ticks) {
       simulation.Sense();
       io.restart();
       for (int i = 0; i < 64 && io.poll_one() > 0; ++i) {
@@ -306,14 +310,16 @@ TEST(WebServer, TwentyViewersSlowTheTickByLessThanFivePercent) {
       simulation.Act();
       server.Acted();
     }
-    return (cpu() - before) / static_cast<double>(ticks);
+    cost.cpu += cpu() - before;
   };
   constexpr std::chrono::milliseconds kTurn(400);
-  double alone = 1.0;
-  double watched = 1.0;
-  std::uint64_t frames = 0;
-  for (int round = 0; round < 4; ++round) {  // what was least disturbed counts
-    alone = std::min(alone, tick_for(kTurn));
+  Cost alone;
+  Cost watched;
+  Cost uncounted;
+  double rounds = 0.0;
+  std::atomic<int> frames = 0;
+  for (int turn = 0; turn < 4; ++turn) {  // in turns, as the machine is not always as fast
+    tick_for(kTurn, alone);
     std::atomic<bool> leave = false;
     std::atomic<int> there = 0;
     std::thread viewers([&] {
@@ -324,25 +330,28 @@ TEST(WebServer, TwentyViewersSlowTheTickByLessThanFivePercent) {
       }
       while (!leave) {
         for (const auto& viewer : all) viewer->NextFrame();
-        frames += all.size();
+        ++frames;
       }
     });
-    while (there < 20) tick_for(std::chrono::milliseconds(5));
-    watched = std::min(watched, tick_for(kTurn));
+    while (there < 20 || frames == 0) tick_for(std::chrono::milliseconds(5), uncounted);
+    const int before = frames;
+    tick_for(kTurn, watched);
+    rounds += frames - before;
     leave = true;
     std::atomic<bool> left = false;
     std::thread joiner([&] {
       viewers.join();
       left = true;
     });
-    while (!left) tick_for(std::chrono::milliseconds(5));
+    while (!left) tick_for(std::chrono::milliseconds(5), uncounted);
     joiner.join();
   }
-  const double slower = watched / alone - 1.0;
-  RecordProperty("slower_percent", std::to_string(100.0 * slower));
-  std::printf("20 viewers slow the tick by %.1f %%: %.1f us alone, %.1f us watched\n",
-              100.0 * slower, 1e6 * alone, 1e6 * watched);
-  EXPECT_GT(frames, 20U * 4U * 5U) << "they do watch";
+  ASSERT_GT(rounds, 10.0) << "they do watch";
+  const double round = (watched.cpu - watched.ticks * alone.cpu / alone.ticks) / rounds;
+  const double share = 60.0 * round;
+  const double slower = share / (1.0 - share);
+  std::printf("a frame for 20 viewers takes %.0f us; 60 a second slow the tick by %.1f %%\n",
+              1e6 * round, 100.0 * slower);
   EXPECT_LT(slower, 0.05);
 }
 

@@ -337,6 +337,18 @@ view("touch: a stick drives, and letting it go stops", "syrotek", async (page) =
   await page.waitForFunction(() => window.ccmorse.frame().robots[0].v === 0);
 }, { hasTouch: true, isMobile: true, viewport: { width: 700, height: 500 } });
 
+// The requirement: ten pictures a second in headless Chromium, drawn by the processor, of 13 robots.
+view("thirteen robots are drawn ten times a second without a graphics card", "docks", async (page, context) => {
+  assert.equal(await page.locator("#robots li").count(), 13);
+  let best = 0;
+  for (let i = 0; i < 20 && best < 10; ++i) { // other programs may take the processor for a while
+    await page.waitForTimeout(1000);
+    best = Math.max(best, await page.evaluate(() => window.ccmorse.framesPerSecond()));
+  }
+  context.diagnostic(`${best.toFixed(1)} pictures a second`);
+  assert.ok(best >= 10, `${best} pictures a second`);
+});
+
 test("a lost connection is said, and the page comes back by itself", async (context) => {
   const first = new Simulator("syrotek");
   context.after(() => first.stop());

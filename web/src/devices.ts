@@ -49,9 +49,11 @@ export class Devices {
       name.textContent = robot.name;
       branch.append(name);
       for (const device of robot.devices) branch.append(this.leaf(robot.name, device));
-      this.tree.append(branch);
       return branch;
     });
+    const byName = new Intl.Collator(undefined, { numeric: true }).compare;
+    this.tree.append(...[...this.robots].sort((a, b) =>
+      byName(a.firstChild?.textContent ?? "", b.firstChild?.textContent ?? "")));
     this.choose(0);
   }
 

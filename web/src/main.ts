@@ -40,6 +40,7 @@ let frame: Frame | null = null;
 let chosen = 0;
 let mode: CanvasMode = "ground";
 let noticeTimer = 0;
+let robotButtons: HTMLButtonElement[] = []; // one a robot, in the scene's order
 
 function makeStage(): Stage {
   try {
@@ -139,9 +140,7 @@ function showMap(shown: Frame): void {
 // --- Robots
 
 function listRobots(of: Scene): void {
-  const list = element("robots");
-  list.replaceChildren();
-  of.robots.forEach((robot, i) => {
+  robotButtons = of.robots.map((robot, i) => {
     const button = document.createElement("button");
     const dot = document.createElement("span");
     dot.className = "dot";
@@ -152,10 +151,16 @@ function listRobots(of: Scene): void {
     state.className = "state";
     button.append(dot, name, state);
     button.onclick = () => choose(i);
-    const item = document.createElement("li");
-    item.append(button);
-    list.append(item);
+    return button;
   });
+  const byName = new Intl.Collator(undefined, { numeric: true }).compare;
+  const sorted = of.robots.map((_, i) => i).sort((a, b) =>
+    byName(of.robots[a]?.name ?? "", of.robots[b]?.name ?? ""));
+  element("robots").replaceChildren(...sorted.map((i) => {
+    const item = document.createElement("li");
+    item.append(robotButtons[i] ?? "");
+    return item;
+  }));
 }
 
 function choose(robot: number): void {
@@ -164,18 +169,15 @@ function choose(robot: number): void {
   stage.choose(robot);
   plots.choose(scene, robot);
   devices.choose(robot);
-  element("robots")
-    .querySelectorAll("button")
-    .forEach((button, i) => button.setAttribute("aria-pressed", String(i === robot)));
+  robotButtons.forEach((button, i) => button.setAttribute("aria-pressed", String(i === robot)));
 }
 
 function showStates(shown: Frame): void {
   element("clock").textContent = `${shown.time.toFixed(1)} s`;
   element("rate").textContent = rateText(shown);
-  const lines = element("robots").querySelectorAll<HTMLElement>(".state");
   shown.robots.forEach((state, i) => {
-    const line = lines[i];
-    if (line === undefined) return;
+    const line = robotButtons[i]?.querySelector(".state");
+    if (line == null) return;
     line.textContent = state.stalled
       ? "stalled"
       : `${state.x.toFixed(2)}, ${state.y.toFixed(2)}  ${state.v.toFixed(2)} m/s`;
@@ -336,11 +338,19 @@ stageCanvas.addEventListener("pointerup", (event) => {
 
 function togglePanel(): void {
   const panel = element("panel");
-  panel.hidden = !panel.hidden;
-  element("panel-button").setAttribute("aria-expanded", String(!panel.hidden));
+  showPanel(panel.hidden);
+}
+function showPanel(shown: boolean): void {
+  const panel = element("panel");
+  panel.hidden = !shown;
+  element("panel-button").setAttribute("aria-expanded", String(shown));
+  document.documentElement.classList.toggle("beside-panel", shown);
+  stage.setCovered(shown && !SMALL.matches ? panel.offsetWidth : 0);
 }
 element("panel-button").onclick = togglePanel;
-if (matchMedia("(max-width: 600px)").matches) togglePanel(); // it would cover all
+const SMALL = matchMedia("(max-width: 600px)");
+showPanel(!SMALL.matches); // it would cover all
+SMALL.addEventListener("change", () => showPanel(!SMALL.matches));
 
 function showHelp(): void {
   element<HTMLDialogElement>("help").showModal();

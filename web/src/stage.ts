@@ -19,6 +19,10 @@ const TRAIL_STEP = 0.01; // m
 const JUMP = 0.3; // m from frame to frame, more than any drive makes
 const LASER_COLOR = 0x1e8bff;
 const RING_COLOR = 0xffa028;
+const FIELD = 42; // degrees from top to bottom, on a screen that is
+const WIDE = 1.5; // times as wide as high, or more
+const WIDEST = 80; // degrees
+const SLAB_COLOR = 0x5c636b; // beneath the floor
 
 /** How much the picture may cost. */
 type Quality = "high" | "low";
@@ -270,7 +274,7 @@ export class Stage {
   private readonly quality = chooseQuality();
   private readonly renderer: THREE.WebGLRenderer;
   private readonly world = new THREE.Scene();
-  private readonly camera = new THREE.PerspectiveCamera(42, 1, 0.02, 500);
+  private readonly camera = new THREE.PerspectiveCamera(FIELD, 1, 0.02, 500);
   private readonly controls: OrbitControls;
   private content = new THREE.Group();
   private scene: Scene | null = null;
@@ -284,10 +288,12 @@ export class Stage {
   private kind: CameraKind = "orbit";
   private chosen = 0;
   private groundCanvas = true;
+  private covered = 0; // px, of the right side
   frames = 0; // drawn so far, for those who measure
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     const fine = this.quality === "high";
+    document.documentElement.classList.toggle("plain", !fine); // for view.css
     this.renderer = new THREE.WebGLRenderer({
       canvas, antialias: fine, preserveDrawingBuffer: true,
     });
@@ -500,6 +506,12 @@ export class Stage {
     return this.ray(x, y).ray.intersectPlane(floor, new THREE.Vector3());
   }
 
+  /** So much of the right side is covered, px: the middle of the picture moves out from under it. */
+  setCovered(width: number): void {
+    this.covered = width;
+    this.resize();
+  }
+
   setControls(on: boolean): void {
     this.controls.enabled = on && this.kind !== "robot";
   }
@@ -514,10 +526,10 @@ export class Stage {
   }
 
   private addFloor(scene: Scene): void {
+    const slab = surface(this.quality, { color: SLAB_COLOR, roughness: 0.9 });
+    const top = surface(this.quality, { color: scene.floor, roughness: 0.9 });
     const floor = new THREE.Mesh(
-      new THREE.BoxGeometry(scene.size_x, scene.size_y, 0.04),
-      surface(this.quality, { color: scene.floor, roughness: 0.9 }),
-    );
+      new THREE.BoxGeometry(scene.size_x, scene.size_y, 0.04), [slab, slab, slab, slab, top, slab]);
     floor.position.set(scene.size_x / 2, scene.size_y / 2, -0.02);
     floor.receiveShadow = true;
     this.content.add(floor);
@@ -597,6 +609,12 @@ export class Stage {
     this.renderer.setPixelRatio(this.quality === "high" ? Math.min(2, devicePixelRatio) : 0.75);
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.camera.aspect = clientWidth / Math.max(1, clientHeight);
+    const free = Math.max(0.3 * clientWidth, clientWidth - this.covered);
+    this.camera.setViewOffset(
+      clientWidth, clientHeight, (clientWidth - free) / 2, 0, clientWidth, clientHeight);
+    // An upright screen shows as much from side to side as a wide one.
+    const half = Math.tan((FIELD * Math.PI) / 360) * Math.max(1, (WIDE * clientHeight) / free);
+    this.camera.fov = Math.min(WIDEST, (Math.atan(half) * 360) / Math.PI);
     this.camera.updateProjectionMatrix();
   }
 

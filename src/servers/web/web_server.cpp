@@ -176,6 +176,7 @@ class WebServer::Viewer : public std::enable_shared_from_this<WebServer::Viewer>
     websocket::stream_base::timeout timeout =
         websocket::stream_base::timeout::suggested(beast::role_type::server);
     socket_.set_option(timeout);
+    socket_.auto_fragment(false);  // a frame goes out in one write
     socket_.read_message_max(shared_->options.longest_call);
     socket_.async_accept(request, [self = shared_from_this()](ErrorCode error) {
       if (error || self->shared_->closed) return;
