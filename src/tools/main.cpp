@@ -215,9 +215,8 @@ int Run(int argc, char** argv) {
       "--verify", replay.verify,
       "only say whether the run comes out the same, bit for bit; else the first tick and component "
       "that differ");
-  replay_command
-      ->add_flag("--headless", replay.headless, "play it in the terminal, without the live view")
-      ->excludes(verify);
+  replay_command->add_flag("--headless", replay.headless,
+                           "play it in the terminal, without the live view");
   replay_command
       ->add_option("--view-port", replay.view_port,
                    "of the live view in a browser, or the next that is free; 0 takes any  [8000]")

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "base/error.h"
@@ -38,10 +37,8 @@ std::string HashIn(const std::string& output) {
 }
 
 Finished Replay(const std::vector<std::string>& arguments) {
-  std::vector<std::string> command = {kCcmorse, "replay"};
+  std::vector<std::string> command = {kCcmorse, "replay", "--headless"};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  const bool verifies = std::count(command.begin(), command.end(), "--verify") > 0;
-  if (!verifies) command.emplace_back("--headless");
   return RunToEnd(command);
 }
 
