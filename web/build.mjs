@@ -13,6 +13,6 @@ await build({
   legalComments: "eof",
   logLevel: "warning",
 });
-for (const file of ["index.html", "view.css", "icon.svg"]) {
+for (const file of ["index.html", "icon.svg"]) {
   await copyFile(`src/${file}`, `dist/${file}`);
 }

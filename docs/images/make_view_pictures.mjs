@@ -1,4 +1,4 @@
-// Makes docs/images/view.png from the live view itself: node docs/images/make_view_pictures.mjs, after
+// Makes docs/images/view.png and view-plots.png from the live view itself: node docs/images/make_view_pictures.mjs, after
 // ./check has built everything. Takes a minute where a processor has to draw.
 import { spawn } from "node:child_process";
 import { createRequire } from "node:module";
@@ -43,6 +43,25 @@ try {
   const from = await page.evaluate(() => window.ccmorse.frames());
   await page.waitForFunction((n) => window.ccmorse.frames() > n + 4, from);
   await page.screenshot({ path: `${root}docs/images/view.png` });
+
+  // Dark, plain, and a robot that drives, with plots and devices open.
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.goto(`${address}?quality=low`);
+  await page.waitForFunction(() => window.ccmorse?.frame() !== null);
+  await page.evaluate(() => {
+    window.ccmorse.look([1.05, 0.15, 1.75], [1.62, 2.1, 0]);
+    document.getElementById("plots").open = true;
+    return window.ccmorse.call("s1r_1.motion", "set_speed", [0.12, -0.6]);
+  });
+  await page.locator("#devices > summary").click();
+  await page.locator("#device-tree summary", { hasText: /^pose/ }).first().click();
+  const start = await page.evaluate(() => window.ccmorse.frame().time);
+  await page.waitForFunction((t) => window.ccmorse.frame().time > t + 6, start);
+  await page.evaluate(() => window.ccmorse.call("s1r_1.motion", "set_speed", [0.05, 0.6]));
+  await page.waitForFunction((t) => window.ccmorse.frame().time > t + 12, start);
+  await page.locator("#plots").evaluate((plots) => plots.scrollIntoView());
+  await page.waitForTimeout(500);
+  await page.screenshot({ path: `${root}docs/images/view-plots.png` });
 } finally {
   await browser.close();
   simulator.kill("SIGINT");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/asio/post.hpp>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <thread>
 
@@ -43,7 +44,9 @@ Runner::Runner(sim::Simulation& simulation, const RunOptions& options)
              {PaceName(options.pace), simulation.scenario().time.read_frequency,
               [this] { return Clock(); }},
              options.morse),
-      servers_{&morse_} {
+      servers_{&morse_},
+      speed_(options.pace == Pace::kRealTime ? options.factor
+                                             : std::numeric_limits<double>::infinity()) {
   if (!options.player) return;
   player_ = player::PlayerServer::Open(io_, simulation, directory_, *options.player);
   if (player_ != nullptr) servers_.push_back(player_.get());
@@ -71,26 +74,35 @@ RunControl Runner::Control() {
   control.time_statistics = [this] { return Statistics(); };
   control.set_time_scale = [this](double factor) {
     if (options_.pace != Pace::kRealTime) return false;
-    options_.factor = factor;
-    pace_base_ = WallClock::now();
-    pace_tick_ = simulation_.tick();
+    SetSpeed(factor);
     return true;
   };
+  control.set_paused = [this](bool paused) {
+    paused_ = paused;
+    steps_ = 0;
+  };
+  control.step = [this](int ticks) {
+    if (!paused_) steps_ = 0;
+    paused_ = true;
+    steps_ += static_cast<std::uint64_t>(ticks);
+    return simulation_.tick() + steps_;
+  };
+  control.set_speed = [this](double speed) { SetSpeed(speed); };
+  control.time_state = [this] { return TimeState{paused_, speed_}; };
   return control;
 }
 
 Json Runner::Clock() const {
-  if (options_.pace != Pace::kRealTime) return {};
+  if (options_.pace != Pace::kRealTime || !std::isfinite(speed_)) return {};
   // What the sensors show now was due when the tick before was: they look right after it.
   const double due = std::chrono::duration<double>(Due(-1.0).time_since_epoch()).count();
-  return Json(
-      Json::Object{{"time", simulation_.time()}, {"due", due}, {"factor", options_.factor}});
+  return Json(Json::Object{{"time", simulation_.time()}, {"due", due}, {"factor", speed_}});
 }
 
 Runner::WallClock::time_point Runner::Due(double later) const {
   const double ticks =
       static_cast<double>(simulation_.tick()) - static_cast<double>(pace_tick_) + later;
-  const double seconds = ticks / simulation_.scenario().time.frequency / options_.factor;
+  const double seconds = ticks / simulation_.scenario().time.frequency / speed_;
   return pace_base_ +
          std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(seconds));
 }
@@ -104,7 +116,8 @@ Json Runner::Statistics() const {
     statistics.Set("mean_frame_by_sec", rate);
     statistics.Set("variance_frame_by_sec", variance * rate * rate * rate * rate);
   } else {
-    const double wall = std::chrono::duration<double>(WallClock::now() - start_).count();
+    const double wall =
+        std::chrono::duration<double>(WallClock::now() - start_ - paused_for_).count();
     statistics.Set("diff_real_time", simulation_.tick() == 0 ? 0.0 : wall - simulation_.time());
   }
   return statistics;
@@ -137,6 +150,7 @@ std::optional<Runner::WallClock::time_point> Runner::LetHangingGo(WallClock::dur
     if (one) since = since ? std::min(*since, *one) : one;
   }
   if (!since) return std::nullopt;
+  since = std::max(*since, resumed_);  // in a pause nobody waits for a client
   std::optional<WallClock::time_point> next;
   for (ProtocolServer* server : servers_) {
     const auto one = server->LetHangingGo(*since, limit);
@@ -185,7 +199,10 @@ RunSummary Runner::Run() {
     for (ProtocolServer* server : servers_) server->Sensed();
     WaitForTurn();
     if (stop_) break;
-    if (first) start_ = last_tick_ = WallClock::now();
+    if (first) {
+      start_ = last_tick_ = WallClock::now();
+      paused_for_ = {};
+    }
     for (ProtocolServer* server : servers_) server->ApplyInputs();
     simulation_.Act();
     sensed = false;
@@ -197,36 +214,63 @@ RunSummary Runner::Run() {
   }
   RunSummary summary;
   summary.simulated = simulation_.time();
-  summary.wall = first ? 0.0 : std::chrono::duration<double>(WallClock::now() - start_).count();
+  if (!first) {
+    summary.wall = std::chrono::duration<double>(WallClock::now() - start_ - paused_for_).count();
+  }
   LetClientsFinish();
   for (RunWatcher* watcher : watchers_) watcher->Ended(sensed);
   return summary;
 }
 
 void Runner::WaitForTurn() {
-  switch (options_.pace) {
-    case Pace::kRealTime: {
-      const auto due = Due(0.0);
-      const auto now = WallClock::now();
-      if (now - due > kGiveUpCatchingUp) {
-        LogWarning("the simulation is {:.1f} s behind real time and goes on from here",
-                   std::chrono::duration<double>(now - due).count());
-        pace_base_ = now;
-        pace_tick_ = simulation_.tick();
-      }
-      ServeWhatIsThere();
-      SleepUntil(HasReaders() ? due - kWakeEarly : due);
-      while (!stop_ && WallClock::now() < due) io_.poll_one();
-      return;
-    }
-    case Pace::kLockstep:
-      ServeWhatIsThere();
-      WaitForClients();
-      return;
-    case Pace::kMax:
-      ServeWhatIsThere();
-      return;
+  ServeWhatIsThere();
+  do {
+    WaitWhilePaused();
+    speed_changed_ = false;
+    WaitForPace();
+  } while (!stop_ && (held() || speed_changed_ ||
+                      (options_.pace == Pace::kLockstep && !ClientsAreWaiting())));
+  if (paused_ && steps_ > 0) --steps_;
+}
+
+void Runner::WaitWhilePaused() {
+  if (!held()) return;
+  const auto since = WallClock::now();
+  while (!stop_ && held()) io_.run_one();
+  resumed_ = WallClock::now();
+  paused_for_ += resumed_ - since;
+  last_tick_ += resumed_ - since;
+  GoOnFromHere();
+}
+
+void Runner::GoOnFromHere() {
+  pace_base_ = WallClock::now();
+  pace_tick_ = simulation_.tick();
+}
+
+void Runner::SetSpeed(double speed) {
+  speed_ = speed;
+  speed_changed_ = true;
+  GoOnFromHere();
+}
+
+void Runner::WaitForPace() {
+  if (options_.pace == Pace::kLockstep) WaitForClients();
+  if (!std::isfinite(speed_)) return;
+  const auto due = Due(0.0);
+  const auto now = WallClock::now();
+  if (options_.pace != Pace::kRealTime) {
+    // The speed is a limit here: what clients made the run lose is not caught up with.
+    if (now > due) return GoOnFromHere();
+    return SleepUntil(due);
   }
+  if (now - due > kGiveUpCatchingUp) {
+    LogWarning("the simulation is {:.1f} s behind real time and goes on from here",
+               std::chrono::duration<double>(now - due).count());
+    GoOnFromHere();
+  }
+  SleepUntil(HasReaders() ? due - kWakeEarly : due);
+  while (!stop_ && !held() && !speed_changed_ && WallClock::now() < due) io_.poll_one();
 }
 
 void Runner::ServeWhatIsThere() {
@@ -243,7 +287,7 @@ void Runner::SleepUntil(WallClock::time_point time) {
   bell_.async_wait([this](boost::system::error_code error) {
     if (!error) bell_rang_ = true;
   });
-  while (!stop_ && !bell_rang_) io_.run_one();
+  while (!stop_ && !held() && !speed_changed_ && !bell_rang_) io_.run_one();
   bell_.cancel();
 }
 
@@ -251,13 +295,13 @@ void Runner::WaitForClients() {
   // A client that computes little asks again within microseconds, and waking from sleep takes tens
   // of them: so the thread stays awake for a moment, and leaves the processor to whoever wants it.
   const auto awake_until = WallClock::now() + kStayAwake;
-  while (!stop_ && !ClientsAreWaiting()) {
+  while (!stop_ && !held() && !ClientsAreWaiting()) {
     if (io_.poll_one() == 0) std::this_thread::yield();
     if (WallClock::now() > awake_until) break;
   }
   const auto limit = std::chrono::duration_cast<WallClock::duration>(
       std::chrono::duration<double>(options_.client_timeout));
-  while (!stop_ && !ClientsAreWaiting()) {
+  while (!stop_ && !held() && !ClientsAreWaiting()) {
     // After StopAfterClients() what is there comes first: a client that was not yet accepted may
     // have left commands behind.
     if (patience_ && io_.poll_one() > 0) continue;

@@ -45,7 +45,8 @@ struct RunOptions {
 /// What a run came to.
 struct RunSummary {
   double simulated = 0.0;  ///< s
-  double wall = 0.0;       ///< s, from the first step on: waiting for a first client does not count
+  /// s, from the first step on: waiting for a first client does not count, nor do pauses
+  double wall = 0.0;
 };
 
 /// Advances a simulation at a pace and serves it meanwhile: the one loop of the simulator. Whatever
@@ -100,9 +101,15 @@ class Runner {
   std::optional<WallClock::time_point> LetHangingGo(WallClock::duration limit);
   Json Statistics() const;
   Json Clock() const;
-  // Real time: when the tick is to act that is so many ticks later than the next.
+  // At a finite speed: when the tick is to act that is so many ticks later than the next.
   WallClock::time_point Due(double later) const;
   void WaitForTurn();
+  void WaitForPace();
+  // Paused, and no step is left to go.
+  bool held() const { return paused_ && steps_ == 0; }
+  void WaitWhilePaused();
+  void GoOnFromHere();  // for the pace
+  void SetSpeed(double speed);
   void ServeWhatIsThere();
   void WaitForClients();
   void SleepUntil(WallClock::time_point time);  // and serve meanwhile
@@ -126,7 +133,13 @@ class Runner {
   bool bell_rang_ = false;
   std::optional<boost::asio::steady_timer> patience_;  // runs since StopAfterClients()
   WallClock::time_point start_;                        // of the first step
-  WallClock::time_point pace_base_;  // real time: when pace_tick_ was or will be due
+  double speed_;                // simulated seconds per wall second; infinity: no limit
+  bool speed_changed_ = false;  // while it was waited for
+  bool paused_ = false;
+  std::uint64_t steps_ = 0;  // ticks that are still to go by while paused
+  WallClock::time_point resumed_;
+  WallClock::duration paused_for_{};
+  WallClock::time_point pace_base_;  // when pace_tick_ was or will be due
   std::uint64_t pace_tick_ = 0;
   WallClock::time_point last_tick_;
   double ticks_measured_ = 0.0;  // running mean and variance of the wall time of a tick

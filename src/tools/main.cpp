@@ -136,8 +136,7 @@ int Run(int argc, char** argv) {
                    "Player or a .world of Stage")
       ->required()
       ->type_name("SCENARIO");
-  run_command->add_flag("--headless", run.headless,
-                        "without any view; the only way so far, so it changes nothing");
+  run_command->add_flag("--headless", run.headless, "without the live view");
   run_command
       ->add_option("--clients", run.clients,
                    "in lock-step, time starts when this many clients read  [1]")
@@ -188,6 +187,8 @@ int Run(int argc, char** argv) {
       ->check(CLI::Range(0, 65535))
       ->type_name("N");
   run_command->add_flag("--open", run.open, "show the live view in the browser");
+  run_command->add_flag("--view-read-only", run.view_read_only,
+                        "whoever sees the live view may look, and neither drive nor stop time");
   run_command
       ->add_option("--token", run.token,
                    "word that the live view's address must carry; with --bind to other addresses "
@@ -246,7 +247,7 @@ int Run(int argc, char** argv) {
 
   ccmorse::tools::ReplayArguments replay;
   CLI::App* const replay_command =
-      app.add_subcommand("replay", "simulate a recorded run again, from its inputs");
+      app.add_subcommand("replay", "show a recorded run in the live view, or verify it");
   replay_command->add_option("record", replay.file, "what `ccmorse run --record` wrote")
       ->required()
       ->type_name("FILE");
@@ -254,6 +255,14 @@ int Run(int argc, char** argv) {
       "--verify", replay.verify,
       "only say whether the run comes out the same, bit for bit; else the first tick and component "
       "that differ");
+  replay_command->add_flag("--headless", replay.headless,
+                           "play it in the terminal, without the live view");
+  replay_command
+      ->add_option("--view-port", replay.view_port,
+                   "of the live view in a browser, or the next that is free; 0 takes any  [8000]")
+      ->check(CLI::Range(0, 65535))
+      ->type_name("N");
+  replay_command->add_flag("--open", replay.open, "show the live view in the browser");
   replay_command
       ->add_option("--speed", replay.speed, "simulated seconds per wall-clock second, or max  [1]")
       ->check([](const std::string& text) -> std::string {
@@ -276,10 +285,11 @@ int Run(int argc, char** argv) {
       ->type_name("SECONDS");
   replay_command->footer(
       "Examples:\n"
+      "  ccmorse replay run.mcap                  in a browser, with a time line\n"
       "  ccmorse replay run.mcap --verify         status 0: equal; 1: it differs; 2: no use; 3: "
       "not whole\n"
-      "  ccmorse replay run.mcap --from 40 --speed 4\n"
-      "  ccmorse replay run.mcap --to 12.5 --speed max\n"
+      "  ccmorse replay run.mcap --headless --from 40 --speed 4\n"
+      "  ccmorse replay run.mcap --headless --to 12.5 --speed max\n"
       "docs/records.md tells what a record holds and how to open it elsewhere.");
 
   ccmorse::tools::ConvertArguments convert;

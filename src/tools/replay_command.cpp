@@ -7,6 +7,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
@@ -14,6 +15,9 @@
 
 #include "base/trig.h"
 #include "servers/record/replay.h"
+#include "servers/record/replay_server.h"
+#include "tools/open_browser.h"
+#include "tools/stop_signals.h"
 
 namespace ccmorse::tools {
 namespace {
@@ -147,18 +151,48 @@ double SpeedFrom(const std::string& text) {
   return factor;
 }
 
-int Play(servers::Replay& replay, const ReplayArguments& arguments) {
-  PrintIfBrokenOff(replay);
-  const double speed = SpeedFrom(arguments.speed);
-  const double half_tick = 0.5 / replay.info().scenario.time.frequency;
-  const double to = std::min(arguments.to.value_or(replay.duration()), replay.duration());
-  if (arguments.from > replay.duration()) {
-    throw Error(fmt::format("--from {} is after the record's end at {:.3f} s", arguments.from,
-                            replay.duration()));
+void RequireInRange(const ReplayArguments& arguments, double duration) {
+  if (arguments.from > duration) {
+    throw Error(
+        fmt::format("--from {} is after the record's end at {:.3f} s", arguments.from, duration));
   }
   if (arguments.to && *arguments.to < arguments.from) {
     throw Error(fmt::format("--to {} is before --from {}", *arguments.to, arguments.from));
   }
+}
+
+int Show(const ReplayArguments& arguments) {
+  const StopSignals signals;  // before the simulation's threads
+  servers::ReplayServerOptions options;
+  options.from = arguments.from;
+  options.to = arguments.to;
+  options.speed = SpeedFrom(arguments.speed);
+  options.web.port = arguments.view_port;
+  options.web.folder = servers::FindWebFolder();
+  servers::ReplayServer server(arguments.file, options);
+  RequireInRange(arguments, server.replay().duration());
+  std::signal(SIGPIPE, SIG_IGN);
+  const StopSignalWatch watch(signals, server.io(), [&server](int) { server.Stop(); });
+  PrintIfBrokenOff(server.replay());
+  fmt::print("Record {}: {}, {:.3f} s, by ccmorse {}\n", arguments.file,
+             server.replay().info().scenario.name, server.replay().duration(),
+             server.replay().info().version);
+  fmt::print("View at {}\nCtrl-C ends it; --headless plays it here.\n", server.web().address());
+  std::fflush(stdout);
+  if (arguments.open) OpenBrowser(server.web().address());
+  server.Run();
+  if (!server.replay().difference()) return 0;
+  fmt::print("What was shown is not what was recorded; it ");
+  PrintDifference(server.replay());
+  return kDiffers;
+}
+
+int Play(servers::Replay& replay, const ReplayArguments& arguments) {
+  PrintIfBrokenOff(replay);
+  RequireInRange(arguments, replay.duration());
+  const double speed = SpeedFrom(arguments.speed);
+  const double half_tick = 0.5 / replay.info().scenario.time.frequency;
+  const double to = std::min(arguments.to.value_or(replay.duration()), replay.duration());
   replay.Seek(arguments.from);
   Progress progress(replay);
   progress.Show();
@@ -186,6 +220,7 @@ int Play(servers::Replay& replay, const ReplayArguments& arguments) {
 
 int Replay(const ReplayArguments& arguments) {
   try {
+    if (!arguments.verify && !arguments.headless) return Show(arguments);
     servers::Replay replay(arguments.file);
     const int status = arguments.verify ? Verify(replay) : Play(replay, arguments);
     std::fflush(stdout);

@@ -1,7 +1,6 @@
 #include "tools/run_command.h"
 
 #include <fmt/core.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -25,6 +24,7 @@
 #include "servers/run_report.h"
 #include "servers/runner.h"
 #include "servers/web/web_server.h"
+#include "tools/open_browser.h"
 #include "tools/stop_signals.h"
 #include "tools/top_view.h"
 
@@ -63,6 +63,7 @@ std::unique_ptr<servers::WebServer> ServeView(const RunArguments& arguments,
   const bool any = arguments.port == 0 && arguments.view_port == RunArguments{}.view_port;
   options.port = any ? 0 : arguments.view_port;
   options.token = arguments.token;
+  options.read_only = arguments.view_read_only;
   options.folder = servers::FindWebFolder();
   if (!servers::IsLoopback(options.bind) && options.token.empty()) {
     LogWarning(
@@ -72,24 +73,6 @@ std::unique_ptr<servers::WebServer> ServeView(const RunArguments& arguments,
     return nullptr;
   }
   return std::make_unique<servers::WebServer>(runner.io(), simulation, runner.directory(), options);
-}
-
-void OpenBrowser(const std::string& address) {
-  const char* const program = "xdg-open";
-  const pid_t child = ::fork();
-  if (child != 0) {
-    if (child > 0) ::waitpid(child, nullptr, 0);
-    return;
-  }
-  // A grandchild, which init inherits: the browser may outlive us and nobody waits for it.
-  if (::fork() == 0) {
-    sigset_t none;
-    sigemptyset(&none);
-    ::sigprocmask(SIG_SETMASK, &none, nullptr);
-    ::execlp(program, program, address.c_str(), nullptr);
-    fmt::print(stderr, "cannot open a browser (there is no {}); go to {}\n", program, address);
-  }
-  ::_exit(0);
 }
 
 void PrintReport(const sim::Simulation& simulation, const servers::MorseServer& server,

@@ -21,6 +21,7 @@ struct RunArguments {
   int stream_port = 60000;           ///< 0: any free ones
   int view_port = 8000;              ///< of the live view, or the next free one; 0: any
   std::string token;                 ///< that the view's address must carry; "": none
+  bool view_read_only = false;       ///< whoever sees it may only look
   bool open = false;                 ///< show the view in the user's browser
   /// Player's port of the first robot, 0: any free ones. Where not given, Player's own, and the run
   /// goes on without it if that is taken; with `port` 0 any free ones.

@@ -37,7 +37,7 @@ std::string HashIn(const std::string& output) {
 }
 
 Finished Replay(const std::vector<std::string>& arguments) {
-  std::vector<std::string> command = {kCcmorse, "replay"};
+  std::vector<std::string> command = {kCcmorse, "replay", "--headless"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return RunToEnd(command);
 }

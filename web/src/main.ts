@@ -1,6 +1,14 @@
 import { Connection, type LinkState } from "./connection";
+import { Devices } from "./devices";
+import { Export } from "./export";
+import { LogView } from "./log_view";
+import { Pad } from "./pad";
+import { element } from "./page";
+import { Plots } from "./plots";
 import type { CanvasMode, Frame, Scene } from "./protocol";
 import { type CameraKind, type Layers, Stage } from "./stage";
+import { TimeBar } from "./time_bar";
+import "./view.css";
 
 const CAMERAS: { kind: CameraKind; name: string; title: string }[] = [
   { kind: "orbit", name: "Orbit", title: "As the scenario says; drag to turn (1)" },
@@ -22,20 +30,28 @@ const MODES: { mode: CanvasMode; name: string }[] = [
 ];
 const DRIVE_PERIOD_MS = 100;
 
-function element<T extends HTMLElement>(id: string): T {
-  const found = document.getElementById(id);
-  if (found === null) throw new Error(`the page has no #${id}`);
-  return found as T;
-}
+const SEEK_STEP = 5; // s, by key
 
 const stageCanvas = element<HTMLCanvasElement>("stage");
-const stage = new Stage(stageCanvas);
+const stage = makeStage();
 const map = element<HTMLCanvasElement>("map");
 let scene: Scene | null = null;
 let frame: Frame | null = null;
 let chosen = 0;
 let mode: CanvasMode = "ground";
 let noticeTimer = 0;
+let robotButtons: HTMLButtonElement[] = []; // one a robot, in the scene's order
+
+function makeStage(): Stage {
+  try {
+    return new Stage(stageCanvas);
+  } catch (error) {
+    element("curtain-title").textContent = "This browser cannot draw in 3-D";
+    element("curtain-text").textContent =
+      "The view needs WebGL 2. Another browser, or hardware acceleration in this one's settings, may help.";
+    throw error;
+  }
+}
 
 function notice(text: string): void {
   const box = element("notice");
@@ -124,9 +140,7 @@ function showMap(shown: Frame): void {
 // --- Robots
 
 function listRobots(of: Scene): void {
-  const list = element("robots");
-  list.replaceChildren();
-  of.robots.forEach((robot, i) => {
+  robotButtons = of.robots.map((robot, i) => {
     const button = document.createElement("button");
     const dot = document.createElement("span");
     dot.className = "dot";
@@ -137,33 +151,47 @@ function listRobots(of: Scene): void {
     state.className = "state";
     button.append(dot, name, state);
     button.onclick = () => choose(i);
-    const item = document.createElement("li");
-    item.append(button);
-    list.append(item);
+    return button;
   });
+  const byName = new Intl.Collator(undefined, { numeric: true }).compare;
+  const sorted = of.robots.map((_, i) => i).sort((a, b) =>
+    byName(of.robots[a]?.name ?? "", of.robots[b]?.name ?? ""));
+  element("robots").replaceChildren(...sorted.map((i) => {
+    const item = document.createElement("li");
+    item.append(robotButtons[i] ?? "");
+    return item;
+  }));
 }
 
 function choose(robot: number): void {
   stop();
   chosen = robot;
   stage.choose(robot);
-  element("robots")
-    .querySelectorAll("button")
-    .forEach((button, i) => button.setAttribute("aria-pressed", String(i === robot)));
+  plots.choose(scene, robot);
+  devices.choose(robot);
+  robotButtons.forEach((button, i) => button.setAttribute("aria-pressed", String(i === robot)));
 }
 
 function showStates(shown: Frame): void {
   element("clock").textContent = `${shown.time.toFixed(1)} s`;
-  element("rate").textContent = shown.rate > 0 ? `${shown.rate.toPrecision(3)} x real time` : "waiting";
-  const lines = element("robots").querySelectorAll<HTMLElement>(".state");
+  element("rate").textContent = rateText(shown);
   shown.robots.forEach((state, i) => {
-    const line = lines[i];
-    if (line === undefined) return;
+    const line = robotButtons[i]?.querySelector(".state");
+    if (line == null) return;
     line.textContent = state.stalled
       ? "stalled"
       : `${state.x.toFixed(2)}, ${state.y.toFixed(2)}  ${state.v.toFixed(2)} m/s`;
     line.classList.toggle("stalled", state.stalled);
   });
+}
+
+function rateText(shown: Frame): string {
+  if (shown.paused) {
+    return scene?.record != null && shown.time >= scene.record.seconds - 1e-3 ? "at the end" : "paused";
+  }
+  if (shown.rate < 1e-4) return "waiting";
+  const digits = shown.rate < 0.1 ? 3 : shown.rate < 100 ? 2 : 0;
+  return `${shown.rate.toFixed(digits)} x real time`;
 }
 
 function deviceOf(robot: number, type: string): string | undefined {
@@ -175,10 +203,18 @@ function call(component: string | undefined, service: string, args: unknown[]): 
     notice("This robot has no device for that.");
     return;
   }
+  if (!mayDrive()) {
+    notice(scene?.record != null ? "This is a record: it can only be watched." : "This view is read-only.");
+    return;
+  }
   connection.call(component, service, args).catch((error: Error) => notice(error.message));
 }
 
-// --- Driving by keyboard: held keys are speeds, sent ten times a second
+function mayDrive(): boolean {
+  return scene !== null && scene.record === null && !scene.read_only;
+}
+
+// --- Driving by keyboard or with a finger: speeds, sent ten times a second
 
 const held = new Set<string>();
 const KEYS: Record<string, string> = {
@@ -186,16 +222,23 @@ const KEYS: Record<string, string> = {
   ArrowLeft: "left", KeyA: "left", ArrowRight: "right", KeyD: "right",
 };
 let driving = 0;
+let stick = { v: 0, w: 0 }; // parts of the highest speeds
+
+const pad = new Pad((v, w) => {
+  stick = { v, w };
+  if (driving === 0) driving = window.setInterval(drive, DRIVE_PERIOD_MS);
+  if (v === 0 && w === 0) drive();
+});
 
 function drive(): void {
   const robot = scene?.robots[chosen];
   if (robot === undefined) return;
   const axis = (plus: string, minus: string) =>
     (held.has(plus) ? 1 : 0) - (held.has(minus) ? 1 : 0);
-  const v = 0.6 * robot.max_speed * axis("up", "down");
-  const w = 0.5 * robot.max_turn_rate * axis("left", "right");
+  const v = 0.6 * robot.max_speed * (axis("up", "down") + stick.v);
+  const w = 0.5 * robot.max_turn_rate * (axis("left", "right") + stick.w);
   call(deviceOf(chosen, "MotionVW"), "set_speed", [v, w]);
-  if (held.size === 0) {
+  if (held.size === 0 && stick.v === 0 && stick.w === 0) {
     clearInterval(driving);
     driving = 0;
   }
@@ -203,6 +246,7 @@ function drive(): void {
 
 function stop(): void {
   if (driving === 0) return;
+  pad.release();
   held.clear();
   drive();
 }
@@ -215,18 +259,23 @@ addEventListener("keydown", (event) => {
     event.preventDefault();
     return;
   }
-  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  if (event.ctrlKey || event.metaKey || event.altKey || element<HTMLDialogElement>("help").open) return;
   const key = KEYS[event.code];
   if (key !== undefined) {
     event.preventDefault();
-    if (held.has(key)) return;
+    if (held.has(key) || event.repeat) return;
     held.add(key);
     if (driving === 0) driving = window.setInterval(drive, DRIVE_PERIOD_MS);
     drive();
-  } else if (event.code === "Space" && target.closest("button, input") === null) {
+  } else if (event.code === "Space" && target.closest("button, input, summary") === null) {
+    event.preventDefault();
+    if (scene?.record != null) return timeBar.toggle();
     held.clear();
     drive();
-    event.preventDefault();
+  } else if (event.key === "?") {
+    showHelp();
+  } else if (SHORTCUTS[event.key] !== undefined) {
+    SHORTCUTS[event.key]?.();
   } else if (/^Digit[1-4]$/.test(event.code)) {
     const camera = CAMERAS[Number(event.code.slice(5)) - 1];
     if (camera !== undefined) setCamera(camera.kind);
@@ -234,6 +283,18 @@ addEventListener("keydown", (event) => {
     togglePanel();
   }
 });
+const SHORTCUTS: Record<string, () => void> = {
+  k: () => timeBar.toggle(),
+  ".": () => timeBar.step(),
+  "-": () => timeBar.changeSpeed(-1),
+  "+": () => timeBar.changeSpeed(1),
+  "=": () => timeBar.changeSpeed(1), // + without Shift
+  j: () => timeBar.seekBy(-SEEK_STEP),
+  l: () => timeBar.seekBy(SEEK_STEP),
+  p: () => files.picture(),
+  v: () => files.film(),
+};
+
 addEventListener("keyup", (event) => {
   const key = KEYS[event.code];
   if (key === undefined || !held.delete(key)) return;
@@ -256,6 +317,7 @@ stageCanvas.addEventListener("pointerdown", (event) => {
   const robot = stage.robotAt(event.clientX, event.clientY);
   if (robot < 0) return;
   choose(robot);
+  if (!mayDrive()) return;
   dragged = robot;
   stage.setControls(false);
   stageCanvas.setPointerCapture(event.pointerId);
@@ -276,12 +338,59 @@ stageCanvas.addEventListener("pointerup", (event) => {
 
 function togglePanel(): void {
   const panel = element("panel");
-  panel.hidden = !panel.hidden;
-  element("panel-button").setAttribute("aria-expanded", String(!panel.hidden));
+  showPanel(panel.hidden);
+}
+function showPanel(shown: boolean): void {
+  const panel = element("panel");
+  panel.hidden = !shown;
+  element("panel-button").setAttribute("aria-expanded", String(shown));
+  document.documentElement.classList.toggle("beside-panel", shown);
+  stage.setCovered(shown && !SMALL.matches ? panel.offsetWidth : 0);
 }
 element("panel-button").onclick = togglePanel;
+const SMALL = matchMedia("(max-width: 600px)");
+showPanel(!SMALL.matches); // it would cover all
+SMALL.addEventListener("change", () => showPanel(!SMALL.matches));
+
+function showHelp(): void {
+  element<HTMLDialogElement>("help").showModal();
+}
+element("help-button").onclick = showHelp;
+
+// --- Time, plots, devices, log, files
+
+const timeBar = new TimeBar((service, args) => {
+  connection.call("ccmorse", service, args).catch((error: Error) => notice(error.message));
+});
+element("reset").onclick = () => call("simulation", "reset_objects", []);
+const ask = (component: string, service: string) => connection.call(component, service, []);
+const plots = new Plots(ask);
+const devices = new Devices(ask);
+const log = new LogView((args) => connection.call("ccmorse", "log", args));
+const files = new Export(
+  () => (mode === "fullscreen" ? map : stageCanvas),
+  () => `${scene?.scene ?? "ccmorse"}-${(frame?.time ?? 0).toFixed(1)}s`,
+  notice);
+
+// Pictures a second, over the last second.
+let framesBefore = 0;
+let countedAt = performance.now();
+let perSecond = 0;
+setInterval(() => {
+  const now = performance.now();
+  perSecond = ((stage.frames - framesBefore) * 1000) / (now - countedAt);
+  framesBefore = stage.frames;
+  countedAt = now;
+  element("fps").textContent = `${perSecond.toFixed(0)} pictures/s`;
+}, 1000);
 
 // --- The simulator
+
+const DRIVE_HINTS = {
+  drive: "Choose one and drive it with the arrow keys or W A S D; Space stops. Drag a robot to move it; Shift + click sends it to a place.",
+  look: "This view is read-only: choose a robot to look at.",
+  record: "This is a record: choose a robot to look at.",
+};
 
 const STATES: Record<LinkState, string> = {
   connecting: "connecting ...",
@@ -289,14 +398,38 @@ const STATES: Record<LinkState, string> = {
   lost: "connection lost, trying again ...",
 };
 
+// Over the stage while there is nothing to be seen, or nothing new.
+function showCurtain(state: LinkState): void {
+  const curtain = element("curtain");
+  if (state === "connected" && scene !== null) {
+    curtain.hidden = true;
+    return;
+  }
+  if (state === "connected" || (state === "connecting" && !curtain.hidden)) return;
+  curtain.hidden = false;
+  curtain.classList.toggle("lost", scene !== null);
+  if (scene === null && state === "connecting") return; // index.html says it
+  element("curtain-title").textContent =
+    scene === null ? "There is no simulation at this address" : "The simulation is gone";
+  element("curtain-text").textContent =
+    "It has ended, or the connection is broken. This page looks for it every second and comes back by itself.";
+}
+
 const connection = new Connection({
   scene(sent) {
     const first = scene === null;
     scene = sent;
     document.title = `${sent.scene} - CCMorse`;
     element("scene").textContent = sent.scene;
+    showCurtain("connected");
+    log.clear();
+    timeBar.setScene(sent);
     stage.setScene(sent);
     listRobots(sent);
+    devices.setScene(sent);
+    pad.allow(mayDrive());
+    element("drive-hint").textContent = DRIVE_HINTS[
+      sent.record !== null ? "record" : sent.read_only ? "look" : "drive"];
     choose(Math.min(chosen, Math.max(0, sent.robots.length - 1)));
     if (first) setCamera("orbit");
     setMode(first ? sent.canvas.mode : mode);
@@ -313,11 +446,14 @@ const connection = new Connection({
     stage.show(sent);
     showMap(sent);
     showStates(sent);
+    timeBar.show(sent);
+    plots.show(sent);
   },
   state(state) {
     const link = element("link");
     link.textContent = STATES[state];
     link.classList.toggle("lost", state === "lost");
+    showCurtain(state);
   },
 });
 
@@ -328,6 +464,8 @@ declare global {
   interface Window {
     ccmorse: {
       frames(): number;
+      framesPerSecond(): number;
+      points(): { name: string; times: number[]; values: number[] }[];
       scene(): Scene | null;
       frame(): Frame | null;
       find(robot: number): { x: number; y: number };
@@ -338,6 +476,8 @@ declare global {
 }
 window.ccmorse = {
   frames: () => stage.frames,
+  framesPerSecond: () => perSecond,
+  points: () => plots.points(),
   scene: () => scene,
   frame: () => frame,
   find: (robot) => stage.find(robot),

@@ -43,6 +43,7 @@ export interface Robot {
   wheel_track: number;
   max_speed: number;
   max_turn_rate: number;
+  start: [number, number, number]; // x, y, m; yaw, rad
   devices: { name: string; type: string }[];
 }
 
@@ -82,6 +83,8 @@ export interface Scene {
   rings: Ring[];
   camera: { position: [number, number, number]; rotation: [number, number, number] };
   canvas: { alpha: number; mode: CanvasMode; mode_switching: boolean };
+  read_only: boolean;
+  record: { file: string; seconds: number } | null; // what is shown is a record
 }
 
 export interface RobotState {
@@ -106,7 +109,8 @@ export interface CanvasRow {
 export interface Frame {
   paused: boolean;
   time: number; // s, simulated
-  rate: number; // simulated seconds per second
+  rate: number; // simulated seconds per second, measured
+  speed: number; // wanted; Infinity: as many as can be
   robots: RobotState[];
   raised: Uint8Array; // one a box
   scans: Scan[];
@@ -124,6 +128,8 @@ export function readFrame(buffer: ArrayBuffer): Frame {
   if (word() !== 1) throw new Error("unknown message from the simulator");
   const paused = word() === 1;
   const time = view.getFloat64(at, true);
+  at += 8;
+  const speed = view.getFloat64(at, true);
   at += 8;
   const rate = single();
   const robots: RobotState[] = [];
@@ -157,5 +163,5 @@ export function readFrame(buffer: ArrayBuffer): Frame {
     rows.push({ y, rgba: new Uint8Array(buffer, at, 4 * canvasWidth) });
     at += 4 * canvasWidth;
   }
-  return { paused, time, rate, robots, raised, scans, canvasWidth, canvasHeight, rows };
+  return { paused, time, rate, speed, robots, raised, scans, canvasWidth, canvasHeight, rows };
 }

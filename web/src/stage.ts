@@ -19,6 +19,10 @@ const TRAIL_STEP = 0.01; // m
 const JUMP = 0.3; // m from frame to frame, more than any drive makes
 const LASER_COLOR = 0x1e8bff;
 const RING_COLOR = 0xffa028;
+const FIELD = 42; // degrees from top to bottom, on a screen that is
+const WIDE = 1.5; // times as wide as high, or more
+const WIDEST = 80; // degrees
+const SLAB_COLOR = 0x5c636b; // beneath the floor
 
 /** How much the picture may cost. */
 type Quality = "high" | "low";
@@ -106,6 +110,12 @@ class Trail {
     geometry.setDrawRange(0, 0);
     this.line = new THREE.Line(geometry, new THREE.LineBasicMaterial({ color }));
     this.line.frustumCulled = false;
+  }
+
+  clear(): void {
+    this.count = 0;
+    this.line.geometry.setDrawRange(0, 0);
+    this.last.set(Infinity, Infinity);
   }
 
   add(x: number, y: number): void {
@@ -264,7 +274,7 @@ export class Stage {
   private readonly quality = chooseQuality();
   private readonly renderer: THREE.WebGLRenderer;
   private readonly world = new THREE.Scene();
-  private readonly camera = new THREE.PerspectiveCamera(42, 1, 0.02, 500);
+  private readonly camera = new THREE.PerspectiveCamera(FIELD, 1, 0.02, 500);
   private readonly controls: OrbitControls;
   private content = new THREE.Group();
   private scene: Scene | null = null;
@@ -278,10 +288,12 @@ export class Stage {
   private kind: CameraKind = "orbit";
   private chosen = 0;
   private groundCanvas = true;
+  private covered = 0; // px, of the right side
   frames = 0; // drawn so far, for those who measure
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     const fine = this.quality === "high";
+    document.documentElement.classList.toggle("plain", !fine); // for view.css
     this.renderer = new THREE.WebGLRenderer({
       canvas, antialias: fine, preserveDrawingBuffer: true,
     });
@@ -392,6 +404,8 @@ export class Stage {
   show(frame: Frame): void {
     if (this.scene === null) return;
     const seconds = Math.min(0.2, Math.max(0, frame.time - this.lastTime));
+    // A jump back in a record.
+    if (frame.time < this.lastTime) for (const robot of this.robots) robot.trail.clear();
     this.lastTime = frame.time;
     this.states = frame.robots;
     frame.robots.forEach((state, i) => this.robots[i]?.show(state, seconds, this.layers));
@@ -492,6 +506,12 @@ export class Stage {
     return this.ray(x, y).ray.intersectPlane(floor, new THREE.Vector3());
   }
 
+  /** So much of the right side is covered, px: the middle of the picture moves out from under it. */
+  setCovered(width: number): void {
+    this.covered = width;
+    this.resize();
+  }
+
   setControls(on: boolean): void {
     this.controls.enabled = on && this.kind !== "robot";
   }
@@ -506,10 +526,10 @@ export class Stage {
   }
 
   private addFloor(scene: Scene): void {
+    const slab = surface(this.quality, { color: SLAB_COLOR, roughness: 0.9 });
+    const top = surface(this.quality, { color: scene.floor, roughness: 0.9 });
     const floor = new THREE.Mesh(
-      new THREE.BoxGeometry(scene.size_x, scene.size_y, 0.04),
-      surface(this.quality, { color: scene.floor, roughness: 0.9 }),
-    );
+      new THREE.BoxGeometry(scene.size_x, scene.size_y, 0.04), [slab, slab, slab, slab, top, slab]);
     floor.position.set(scene.size_x / 2, scene.size_y / 2, -0.02);
     floor.receiveShadow = true;
     this.content.add(floor);
@@ -589,6 +609,12 @@ export class Stage {
     this.renderer.setPixelRatio(this.quality === "high" ? Math.min(2, devicePixelRatio) : 0.75);
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.camera.aspect = clientWidth / Math.max(1, clientHeight);
+    const free = Math.max(0.3 * clientWidth, clientWidth - this.covered);
+    this.camera.setViewOffset(
+      clientWidth, clientHeight, (clientWidth - free) / 2, 0, clientWidth, clientHeight);
+    // An upright screen shows as much from side to side as a wide one.
+    const half = Math.tan((FIELD * Math.PI) / 360) * Math.max(1, (WIDE * clientHeight) / free);
+    this.camera.fov = Math.min(WIDEST, (Math.atan(half) * 360) / Math.PI);
     this.camera.updateProjectionMatrix();
   }
 

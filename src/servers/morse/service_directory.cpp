@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/base64.h"
@@ -97,6 +98,7 @@ ServiceDirectory::ServiceDirectory(sim::Simulation& simulation, RunControl contr
   AddSimulationServices();
   AddTimeServices();
   AddCommunicationServices();
+  AddRunServices();
   for (Service& service : ArenaServices(simulation_)) Add("arena", std::move(service));
 }
 
@@ -513,7 +515,89 @@ void ServiceDirectory::AddTimeServices() {
        }});
 }
 
+TimeState ServiceDirectory::time_state() const {
+  return control_.time_state ? control_.time_state() : TimeState{};
+}
+
+// Matters of the run, none of the simulation: they are no inputs, so a run that was stopped a while
+// is the same run.
+void ServiceDirectory::AddRunServices() {
+  const auto add = [this](const char* name, std::vector<sim::ServiceParameter> parameters,
+                          std::function<Json(Arguments)> run) {
+    AddQuery("ccmorse", {name, std::move(parameters), std::move(run)});
+  };
+  const auto require = [](bool there) {
+    if (!there) throw ServiceFailed("Time cannot be controlled here");
+  };
+  for (const bool pause : {true, false}) {
+    add(pause ? "pause" : "resume", {}, [this, require, pause](Arguments) {
+      require(control_.set_paused != nullptr);
+      control_.set_paused(pause);
+      return Json();
+    });
+  }
+  AddQuery("ccmorse",
+           {"step",
+            {{"ticks", true}},
+            nullptr,
+            [this, require](Arguments arguments, sim::Completion done) {
+              constexpr int kMost = 1'000'000;
+              const int ticks =
+                  arguments.empty() ? 1 : sim::IntegerArgument(arguments, 0, "ticks", 1, kMost);
+              require(control_.step != nullptr);
+              const std::uint64_t until = control_.step(ticks);
+              if (until <= simulation_.tick()) {  // a record's end
+                return done({Outcome::kSuccess, simulation_.time()});
+              }
+              steppers_.push_back({until, std::move(done)});
+            }});
+  add("set_speed", {{"factor"}}, [this, require](Arguments arguments) {
+    double factor = std::numeric_limits<double>::infinity();
+    if (!arguments[0].IsString() || arguments[0].AsString() != "max") {
+      factor = sim::NumberArgument(arguments, 0, "factor");
+      if (factor < 0.001 || factor > 1000.0) {
+        throw WrongArgument("factor must be 0.001 to 1000, or \"max\"");
+      }
+    }
+    require(control_.set_speed != nullptr);
+    control_.set_speed(factor);
+    return Json();
+  });
+  add("seek", {{"seconds"}}, [this](Arguments arguments) {
+    const double seconds = sim::NumberArgument(arguments, 0, "seconds");
+    if (control_.seek == nullptr) throw ServiceFailed("Only a record can be sought in");
+    control_.seek(seconds);
+    return Json();
+  });
+  add("time", {}, [this](Arguments) {
+    const TimeState state = time_state();
+    return Json(
+        Json::Object{{"time", simulation_.time()},
+                     {"tick", static_cast<std::int64_t>(simulation_.tick())},
+                     {"paused", state.paused},
+                     {"speed", std::isfinite(state.speed) ? Json(state.speed) : Json("max")}});
+  });
+  add("log", {{"after", true}}, [](Arguments arguments) {
+    const double after = sim::NumberArgument(arguments, 0, "after", 0.0);
+    Json::Array lines;
+    for (const LogEntry& entry : RecentLog(static_cast<std::uint64_t>(std::fmax(after, 0.0)))) {
+      static constexpr const char* kLevels[] = {"debug", "info", "warning", "error"};
+      lines.push_back(Json::Object{{"number", static_cast<std::int64_t>(entry.number)},
+                                   {"level", kLevels[static_cast<std::size_t>(entry.level)]},
+                                   {"text", entry.text}});
+    }
+    return Json(std::move(lines));
+  });
+}
+
 void ServiceDirectory::TimeAdvanced() {
+  const auto over = std::stable_partition(
+      steppers_.begin(), steppers_.end(),
+      [this](const Stepper& stepper) { return stepper.until > simulation_.tick(); });
+  std::vector<Stepper> finished(std::make_move_iterator(over),
+                                std::make_move_iterator(steppers_.end()));
+  steppers_.erase(over, steppers_.end());
+  for (const Stepper& stepper : finished) stepper.done({Outcome::kSuccess, simulation_.time()});
   const double half_tick = 0.5 / simulation_.scenario().time.frequency;
   if (!sleeper_ || simulation_.time() <= alarm_ - half_tick) return;
   const sim::Completion done = std::exchange(sleeper_, nullptr);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -11,7 +12,15 @@
 
 namespace ccmorse::servers {
 
-/// What the services of `simulation` and `time` need from the program around the simulation.
+/// How time is to go on, for those who show it.
+struct TimeState {
+  bool paused = false;
+  double speed = 1.0;    ///< simulated seconds per wall-clock second; infinity: as many as can be
+  bool jumping = false;  ///< on the way to another time of a record: nothing to be shown
+};
+
+/// What the services of `simulation`, `time` and `ccmorse` need from the program around the
+/// simulation.
 struct RunControl {
   /// Port of a component's stream, 0 when it has none.
   std::function<int(const sim::Component&)> stream_port;
@@ -23,6 +32,17 @@ struct RunControl {
   std::function<Json()> time_statistics;
   /// Changes simulated seconds per wall second; false when the pace has no such factor.
   std::function<bool(double)> set_time_scale;
+
+  // Of `ccmorse`; where one is not there, its service fails.
+  /// Stops time and lets it go on (`pause`, `resume`).
+  std::function<void(bool)> set_paused;
+  /// Lets so many more ticks by and stops then; the number of the tick after them (`step`).
+  std::function<std::uint64_t(int)> step;
+  /// Simulated seconds per wall-clock second, infinity for as many as can be (`set_speed`).
+  std::function<void(double)> set_speed;
+  /// To a simulated second of a record (`seek`). It must not happen within the call.
+  std::function<void(double)> seek;
+  std::function<TimeState()> time_state;
 };
 
 /// Something from outside that changes what is simulated. The views live for the call that hands
@@ -85,7 +105,10 @@ class ServiceDirectory {
   /// Error when it is none that a tap is ever told of.
   void Apply(const Input& input);
 
-  /// To be called after each Act(): wakes those whose `time sleep` is over.
+  /// How time is to go on now.
+  TimeState time_state() const;
+
+  /// To be called after each Act(): wakes those whose `time sleep` or `ccmorse step` is over.
   void TimeAdvanced();
 
   /// Components that have a socket stream, by full name (what list_streams shows).
@@ -99,6 +122,7 @@ class ServiceDirectory {
   void AddSimulationServices();
   void AddTimeServices();
   void AddCommunicationServices();
+  void AddRunServices();
   void Add(const std::string& component, sim::Service service);
   /// The same for one that changes nothing simulated.
   void AddQuery(const std::string& component, sim::Service service);
@@ -114,6 +138,11 @@ class ServiceDirectory {
   Vec3 camera_;
   double alarm_ = 0.0;  // s, simulated; of the one sleeper
   sim::Completion sleeper_;
+  struct Stepper {
+    std::uint64_t until;  // this tick
+    sim::Completion done;
+  };
+  std::vector<Stepper> steppers_;
   InputTap input_tap_;
 };
 

@@ -119,7 +119,10 @@ RecordInfo ReadRecordInfo(const std::string& file) {
   }
 }
 
-Replay::Replay(const std::string& file) : file_(file), info_(ReadRecordInfo(file)) { Start(); }
+Replay::Replay(const std::string& file, RunControl control)
+    : file_(file), control_(std::move(control)), info_(ReadRecordInfo(file)) {
+  Start();
+}
 
 double Replay::duration() const {
   return static_cast<double>(info_.ticks) / info_.scenario.time.frequency;
@@ -133,7 +136,7 @@ void Replay::Start() {
   directory_.reset();  // refers to the simulation
   hasher_.reset();
   simulation_ = std::make_unique<sim::Simulation>(info_.scenario);
-  RunControl control;
+  RunControl control = control_;
   control.stream_port = [](const sim::Component&) { return 0; };
   control.quit = [] {};
   control.time_mode = [] { return std::string(); };
@@ -216,6 +219,7 @@ bool Replay::Step() {
   simulation_->Sense();
   ApplyInputs();
   simulation_->Act();
+  directory_->TimeAdvanced();
   Compare();
   return true;
 }

@@ -54,13 +54,20 @@ class Replay {
  public:
   /// Opens a record at its start. Throws RecordError, as all methods do when the file changes under
   /// their hands.
-  explicit Replay(const std::string& file);
+  ///
+  /// `control` is what the replay's directory() gives those who ask it for the time; a record's
+  /// inputs never do.
+  explicit Replay(const std::string& file, RunControl control = {});
 
   const RecordInfo& info() const { return info_; }
   double duration() const;  ///< s of simulated time
 
   /// The run at the current tick; stays valid until a Seek() to an earlier time.
   const sim::Simulation& simulation() const { return *simulation_; }
+
+  /// The services of simulation(), for questions: what else is called makes it another run. Valid
+  /// as long as simulation().
+  ServiceDirectory& directory() { return *directory_; }
 
   /// One tick further; false, and nothing happens but that what came after the last tick is
   /// applied, at the end.
@@ -83,6 +90,7 @@ class Replay {
   [[noreturn]] void Fail(const std::string& what) const;
 
   std::string file_;
+  RunControl control_;
   RecordInfo info_;
   std::unique_ptr<sim::Simulation> simulation_;
   std::unique_ptr<ServiceDirectory> directory_;

@@ -72,7 +72,7 @@ ViewModel::ViewModel(const sim::Simulation& simulation) : simulation_(simulation
   }
 }
 
-std::string ViewModel::Scene() const {
+std::string ViewModel::Scene(const Json& more) const {
   const scene::Scenario& scenario = simulation_.scenario();
   const scene::World& world = simulation_.world().scene();
   Json::Array boxes;
@@ -140,23 +140,24 @@ std::string ViewModel::Scene() const {
                                  {"poses", std::move(poses)}});
   }
   const scene::CanvasDef& canvas = scenario.canvas;
-  return Json(Json::Object{{"scene", scenario.name},
-                           {"world", world.name},
-                           {"size_x", world.size_x},
-                           {"size_y", world.size_y},
-                           {"floor", Hex(world.floor)},
-                           {"boxes", std::move(boxes)},
-                           {"meshes", std::move(meshes)},
-                           {"lights", std::move(lights)},
-                           {"robots", std::move(robots)},
-                           {"lasers", std::move(lasers)},
-                           {"rings", std::move(rings)},
-                           {"camera", Json::Object{{"position", Point(scenario.camera.position)},
-                                                   {"rotation", Point(scenario.camera.rotation)}}},
-                           {"canvas", Json::Object{{"alpha", canvas.alpha},
-                                                   {"mode", canvas.mode},
-                                                   {"mode_switching", canvas.mode_switching}}}})
-      .Dump();
+  Json whole(Json::Object{{"scene", scenario.name},
+                          {"world", world.name},
+                          {"size_x", world.size_x},
+                          {"size_y", world.size_y},
+                          {"floor", Hex(world.floor)},
+                          {"boxes", std::move(boxes)},
+                          {"meshes", std::move(meshes)},
+                          {"lights", std::move(lights)},
+                          {"robots", std::move(robots)},
+                          {"lasers", std::move(lasers)},
+                          {"rings", std::move(rings)},
+                          {"camera", Json::Object{{"position", Point(scenario.camera.position)},
+                                                  {"rotation", Point(scenario.camera.rotation)}}},
+                          {"canvas", Json::Object{{"alpha", canvas.alpha},
+                                                  {"mode", canvas.mode},
+                                                  {"mode_switching", canvas.mode_switching}}}});
+  for (const auto& [key, value] : more.AsObject()) whole.Set(key, value);
+  return whole.Dump();
 }
 
 Json ViewModel::RobotScene(const sim::Robot& robot) const {
@@ -166,6 +167,7 @@ Json ViewModel::RobotScene(const sim::Robot& robot) const {
     hull.push_back(Json::Object{
         {"outline", Outline(part.outline)}, {"bottom", part.bottom}, {"top", part.top}});
   }
+  const Pose2& start = robot.def().pose;
   Json::Array devices;
   for (const auto& component : robot.components()) {
     devices.push_back(Json::Object{{"name", component->full_name()}, {"type", component->type()}});
@@ -183,16 +185,18 @@ Json ViewModel::RobotScene(const sim::Robot& robot) const {
                            {"wheel_track", model.wheel_track},
                            {"max_speed", model.max_speed},
                            {"max_turn_rate", model.max_turn_rate},
+                           {"start", Json::Array{start.x, start.y, start.yaw}},
                            {"devices", std::move(devices)}});
 }
 
-std::string ViewModel::Frame(Seen& seen, double rate, bool paused) {
+std::string ViewModel::Frame(Seen& seen, double rate, const TimeState& time) {
   StampCanvas();
   seen.samples.resize(lasers_.size() + rings_.size(), 0);
   FrameWriter out;
   out.Word(kFrame);
-  out.Word(paused ? 1 : 0);
+  out.Word(time.paused ? 1 : 0);
   out.Double(simulation_.time());
+  out.Double(time.speed);
   out.Single(rate);
   out.Word(static_cast<std::uint32_t>(simulation_.robots().size()));
   for (const auto& robot : simulation_.robots()) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "servers/morse/service_directory.h"
 #include "sim/sensors/laser_scanner.h"
 #include "sim/sensors/range_ring.h"
 #include "sim/simulation.h"
@@ -21,15 +22,16 @@ class ViewModel {
   struct Seen {
     std::vector<std::uint64_t> samples;  ///< of each sensor, as of the last frame
     std::uint64_t canvas = 0;            ///< rows stamped later are new
+    bool operator==(const Seen&) const = default;
   };
 
   /// What does not change during a run: floor, boxes, meshes, lights, camera, robots with their
-  /// hulls and sensors. JSON.
-  std::string Scene() const;
+  /// hulls and sensors. JSON, with the members of `more`, an object.
+  std::string Scene(const Json& more) const;
 
   /// The state now, with those scans and rows of the canvas that are new to the viewer. `rate`:
   /// simulated seconds per wall-clock second, as measured.
-  std::string Frame(Seen& seen, double rate, bool paused);
+  std::string Frame(Seen& seen, double rate, const TimeState& time);
 
  private:
   void StampCanvas();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
@@ -35,7 +36,8 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 constexpr auto kFramePeriod = std::chrono::microseconds(16'000);
-constexpr int kMostUnconfirmed = 2;                  // frames
+constexpr auto kStandingPeriod = std::chrono::milliseconds(100);  // of frames while time stands
+constexpr int kMostUnconfirmed = 2;                               // frames
 constexpr std::size_t kMostUnsent = 1U << 20;        // bytes of replies, then the viewer is let go
 constexpr std::uint64_t kLongestHeader = 16U << 10;  // bytes of a request
 constexpr auto kRequestTime = std::chrono::seconds(10);
@@ -69,21 +71,22 @@ bool IsLoopback(const std::string& host) {
   return host == "localhost" || host == "127.0.0.1" || host == "[::1]" || host == "::1";
 }
 
-struct WebServer::Shared {
-  Shared(const sim::Simulation& simulation_in, ServiceDirectory& directory_in,
+struct WebServer::Shared : std::enable_shared_from_this<WebServer::Shared> {
+  Shared(asio::io_context& io, const sim::Simulation& simulation_in, ServiceDirectory& directory_in,
          WebServerOptions options_in)
-      : simulation(simulation_in),
-        directory(directory_in),
+      : simulation(&simulation_in),
+        directory(&directory_in),
         options(std::move(options_in)),
-        model(simulation_in) {}
+        model(std::make_unique<ViewModel>(simulation_in)),
+        timer(io) {}
 
   // Simulated seconds per wall-clock second over the last half second.
   double Rate(Clock::time_point now) {
     const double wall = std::chrono::duration<double>(now - rate_since).count();
     if (wall > 0.5) {
-      rate = (simulation.time() - rate_from) / wall;
+      rate = (simulation->time() - rate_from) / wall;
       rate_since = now;
-      rate_from = simulation.time();
+      rate_from = simulation->time();
     }
     return rate;
   }
@@ -96,16 +99,67 @@ struct WebServer::Shared {
     return IsLoopback(name) || name == options.bind || !options.token.empty();
   }
 
-  const sim::Simulation& simulation;
-  ServiceDirectory& directory;
+  // Why a viewer may not call a service; "" where it may.
+  std::string Refusal(std::string_view component, std::string_view service) const {
+    static const std::set<std::string_view> kLooks = {"get_local_data", "get_configurations",
+                                                      "get_properties"};
+    static const std::set<std::string_view> kOwnLooks = {"time", "log"};
+    static const std::set<std::string_view> kTime = {"pause", "resume", "step", "set_speed",
+                                                     "seek"};
+    const bool own = component == "ccmorse";
+    if (own ? kOwnLooks.contains(service) : kLooks.contains(service)) return "";
+    if (options.read_only) return "this view is read-only";
+    if (options.record && !(own && kTime.contains(service))) {
+      return "this is a record: it cannot be changed";
+    }
+    return "";
+  }
+
+  // What the page is told beside the scene.
+  Json About() const {
+    Json about(Json::Object{{"read_only", options.read_only}, {"record", Json()}});
+    if (options.record) {
+      about.Set("record",
+                Json::Object{{"file", options.record->file}, {"seconds", options.record->seconds}});
+    }
+    return about;
+  }
+
+  // Viewers that have seen the same get the same bytes, which are made once.
+  std::shared_ptr<const std::string> Frame(ViewModel::Seen& seen) {
+    const TimeState time = directory->time_state();
+    const double now = Rate(Clock::now());
+    if (sending && last_frame && last_before == seen) {
+      seen = last_after;
+      return last_frame;
+    }
+    last_before = seen;
+    last_frame = std::make_shared<const std::string>(model->Frame(seen, now, time));
+    last_after = seen;
+    return last_frame;
+  }
+
+  void SendFrames();
+  void Tend();
+
+  const sim::Simulation* simulation;
+  ServiceDirectory* directory;
   WebServerOptions options;
-  ViewModel model;
+  std::unique_ptr<ViewModel> model;
+  asio::steady_timer timer;
+  bool tended = false;  // the timer runs
   std::shared_ptr<Listener> listener;
   std::set<std::shared_ptr<Viewer>> viewers;
   Clock::time_point next_frame;
   Clock::time_point rate_since = Clock::now();
   double rate_from = 0.0;
   double rate = 0.0;
+  // The last frame that was made: of a viewer that had seen what, and then has seen what. Good for
+  // others within one round of sending only, as services change things at any time.
+  bool sending = false;
+  ViewModel::Seen last_before;
+  ViewModel::Seen last_after;
+  std::shared_ptr<const std::string> last_frame;
   WarningLimit warnings;
   bool closed = false;
 };
@@ -122,11 +176,14 @@ class WebServer::Viewer : public std::enable_shared_from_this<WebServer::Viewer>
     websocket::stream_base::timeout timeout =
         websocket::stream_base::timeout::suggested(beast::role_type::server);
     socket_.set_option(timeout);
+    socket_.auto_fragment(false);  // a frame goes out in one write
     socket_.read_message_max(shared_->options.longest_call);
     socket_.async_accept(request, [self = shared_from_this()](ErrorCode error) {
       if (error || self->shared_->closed) return;
       self->shared_->viewers.insert(self);
-      self->Send(false, self->shared_->model.Scene());
+      const std::string scene = self->shared_->model->Scene(self->shared_->About());
+      self->Send(false, std::make_shared<const std::string>(scene));
+      self->shared_->Tend();
       self->SendFrame();
       self->Read();
     });
@@ -136,8 +193,11 @@ class WebServer::Viewer : public std::enable_shared_from_this<WebServer::Viewer>
 
   void SendFrame() {
     ++unconfirmed_;
-    Send(true, shared_->model.Frame(seen_, shared_->Rate(Clock::now()), false));
+    Send(true, shared_->Frame(seen_));
   }
+
+  // The next frame is of another simulation.
+  void Forget() { seen_ = {}; }
 
   void Close() {
     ErrorCode ignored;
@@ -169,41 +229,43 @@ class WebServer::Viewer : public std::enable_shared_from_this<WebServer::Viewer>
         return Answer(id, false,
                       Json("expected {\"id\": n, \"call\": [component, service, [..]]}"));
       }
-      if (shared_->options.read_only) return Answer(id, false, Json("this view is read-only"));
       const Json::Array& parts = call->AsArray();
-      shared_->directory.Call(parts[0].AsString(), parts[1].AsString(), parts[2].Dump(),
-                              [self = weak_from_this(), id](const sim::ServiceResult& result) {
-                                const auto viewer = self.lock();
-                                if (!viewer || viewer->left_) return;
-                                const Json value = result.text.empty()
-                                                       ? result.value
-                                                       : Json::Parse(std::string(result.text));
-                                viewer->Answer(id, result.outcome == sim::Outcome::kSuccess, value);
-                              });
+      const std::string refusal = shared_->Refusal(parts[0].AsString(), parts[1].AsString());
+      if (!refusal.empty()) return Answer(id, false, Json(refusal));
+      shared_->directory->Call(
+          parts[0].AsString(), parts[1].AsString(), parts[2].Dump(),
+          [self = weak_from_this(), id](const sim::ServiceResult& result) {
+            const auto viewer = self.lock();
+            if (!viewer || viewer->left_) return;
+            const Json value =
+                result.text.empty() ? result.value : Json::Parse(std::string(result.text));
+            viewer->Answer(id, result.outcome == sim::Outcome::kSuccess, value);
+          });
     } catch (const std::exception& error) {
       Answer(id, false, Json(error.what()));
     }
-    if (!left_ && takes_frames()) SendFrame();  // what it changed is to be seen even if time stands
   }
 
   void Answer(const Json& id, bool ok, const Json& value) {
-    Send(false, Json(Json::Object{{"id", id}, {"ok", ok}, {"value", value}}).Dump());
+    Send(false, std::make_shared<const std::string>(
+                    Json(Json::Object{{"id", id}, {"ok", ok}, {"value", value}}).Dump()));
   }
 
-  void Send(bool binary, std::string message) {
-    unsent_ += message.size();
+  void Send(bool binary, std::shared_ptr<const std::string> message) {
+    unsent_ += message->size();
     // Frames wait for confirmation; replies pile up only where somebody asks and never reads.
-    if (!waiting_.empty() && unsent_ > kMostUnsent + waiting_.front().second.size()) return Leave();
+    if (!waiting_.empty() && unsent_ > kMostUnsent + waiting_.front().second->size())
+      return Leave();
     waiting_.emplace_back(binary, std::move(message));
     if (waiting_.size() == 1) Write();
   }
 
   void Write() {
     socket_.binary(waiting_.front().first);
-    socket_.async_write(asio::buffer(waiting_.front().second),
+    socket_.async_write(asio::buffer(*waiting_.front().second),
                         [self = shared_from_this()](ErrorCode error, std::size_t) {
                           if (error) return self->Leave();
-                          self->unsent_ -= self->waiting_.front().second.size();
+                          self->unsent_ -= self->waiting_.front().second->size();
                           self->waiting_.pop_front();
                           if (!self->waiting_.empty()) self->Write();
                         });
@@ -218,12 +280,39 @@ class WebServer::Viewer : public std::enable_shared_from_this<WebServer::Viewer>
   std::shared_ptr<Shared> shared_;
   websocket::stream<beast::tcp_stream> socket_;
   beast::flat_buffer buffer_;
-  std::deque<std::pair<bool, std::string>> waiting_;  // binary?, message
-  std::size_t unsent_ = 0;                            // bytes of waiting_
+  std::deque<std::pair<bool, std::shared_ptr<const std::string>>> waiting_;  // binary?, message
+  std::size_t unsent_ = 0;                                                   // bytes of waiting_
   ViewModel::Seen seen_;
   int unconfirmed_ = 0;
   bool left_ = false;
 };
+
+void WebServer::Shared::SendFrames() {
+  if (directory->time_state().jumping) return;
+  next_frame = Clock::now() + kFramePeriod;
+  const auto all = viewers;  // one may leave while it is sent to
+  last_frame = nullptr;
+  sending = true;
+  for (const auto& viewer : all) {
+    if (viewer->takes_frames()) viewer->SendFrame();
+  }
+  sending = false;
+}
+
+// What is changed while time stands still is to be seen, too.
+void WebServer::Shared::Tend() {
+  if (tended) return;
+  tended = true;
+  timer.expires_after(kStandingPeriod);
+  timer.async_wait([weak = weak_from_this()](ErrorCode error) {
+    const auto shared = weak.lock();
+    if (error || !shared || shared->closed) return;
+    shared->tended = false;
+    if (shared->viewers.empty()) return;
+    if (Clock::now() > shared->next_frame + kStandingPeriod - kFramePeriod) shared->SendFrames();
+    shared->Tend();
+  });
+}
 
 // One connection that asks for files, until it becomes a viewer.
 class WebServer::Session : public std::enable_shared_from_this<WebServer::Session> {
@@ -343,7 +432,7 @@ class WebServer::Session : public std::enable_shared_from_this<WebServer::Sessio
 
 WebServer::WebServer(asio::io_context& io, const sim::Simulation& simulation,
                      ServiceDirectory& directory, const WebServerOptions& options)
-    : shared_(std::make_shared<Shared>(simulation, directory, options)) {
+    : shared_(std::make_shared<Shared>(io, simulation, directory, options)) {
   if (!IsLoopback(options.bind) && options.token.empty()) {
     throw Error("the view lets whoever sees it drive the robots: with --bind " + options.bind +
                 " give it a --token, too");
@@ -367,19 +456,26 @@ std::string WebServer::address() const {
 }
 
 void WebServer::Acted() {
-  if (shared_->viewers.empty()) return;
-  const auto now = Clock::now();
-  if (now < shared_->next_frame) return;
-  shared_->next_frame = now + kFramePeriod;
-  const auto viewers = shared_->viewers;  // one may leave while it is sent to
-  for (const auto& viewer : viewers) {
-    if (viewer->takes_frames()) viewer->SendFrame();
+  if (shared_->viewers.empty() || Clock::now() < shared_->next_frame) return;
+  shared_->SendFrames();
+}
+
+void WebServer::Show(const sim::Simulation& simulation, ServiceDirectory& directory) {
+  if (shared_->simulation != &simulation) {
+    shared_->model = std::make_unique<ViewModel>(simulation);
+    for (const auto& viewer : shared_->viewers) viewer->Forget();
   }
+  shared_->simulation = &simulation;
+  shared_->directory = &directory;
+  shared_->rate_since = Clock::now();
+  shared_->rate_from = simulation.time();
+  if (!shared_->viewers.empty()) shared_->SendFrames();
 }
 
 void WebServer::Close() {
   if (std::exchange(shared_->closed, true)) return;
   shared_->listener->Close();
+  shared_->timer.cancel();
   const auto viewers = std::exchange(shared_->viewers, {});
   for (const auto& viewer : viewers) viewer->Close();
 }

@@ -3,6 +3,7 @@
 #include <boost/asio/io_context.hpp>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "servers/morse/service_directory.h"
@@ -11,15 +12,23 @@
 
 namespace ccmorse::servers {
 
+/// A record that is shown in place of a run.
+struct ShownRecord {
+  std::string file;
+  double seconds = 0.0;  ///< how long it is, simulated
+};
+
 /// Where and within which limits the view is served.
 struct WebServerOptions {
   std::string bind = "127.0.0.1";  ///< address to listen on; any other than loopback needs a token
   int port = 8000;                 ///< 0: any free one
   bool search = true;              ///< take the next free port where `port` is taken
-  std::string token;              ///< what the page's address must carry as ?token=; empty: nothing
-  bool read_only = false;         ///< viewers only look
-  std::string folder;             ///< of the built page: index.html and what it loads
-  std::size_t most_viewers = 64;  ///< at a time; more are answered 503
+  std::string token;       ///< what the page's address must carry as ?token=; empty: nothing
+  bool read_only = false;  ///< viewers only look
+  /// Where given, viewers only control the time.
+  std::optional<ShownRecord> record = {};
+  std::string folder;                    ///< of the built page: index.html and what it loads
+  std::size_t most_viewers = 64;         ///< at a time; more are answered 503
   std::size_t longest_call = 64U << 10;  ///< bytes of a message from a viewer
 };
 
@@ -44,7 +53,11 @@ class WebServer : public RunWatcher {
   /// What to type into a browser, "http://127.0.0.1:8000/".
   std::string address() const;
 
-  /// Sends the frames that are due.
+  /// Shows another simulation of the same scenario from now on, or the same at another time. Both
+  /// outlive the server, or the next call.
+  void Show(const sim::Simulation& simulation, ServiceDirectory& directory);
+
+  /// Sends the frames that are due. While time stands still, there are some without this.
   void Acted() override;
   void Close();
 
