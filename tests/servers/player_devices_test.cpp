@@ -303,10 +303,10 @@ TEST_F(PlayerDevices, SpeechIsTaken) {
 
 // A world of Stage has its (0, 0) in the middle, and programs know its coordinates.
 TEST(PlayerOrigin, ClientsAreToldTheCoordinatesOfTheWorldsFile) {
-  const ServedSimulation served(R"({"world": {"name": "hall", "size": [6, 4], "origin": [3, 2],
+  ServedSimulation served(R"({"world": {"name": "hall", "size": [6, 4], "origin": [3, 2],
       "boxes": []}, "robots": [{"name": "a", "pose": {"x": 2, "y": 2.5, "yaw": 0}}],
       "canvas": {"width": 60, "height": 40}})",
-                                Pace::kLockstep);
+                          Pace::kLockstep);
   PlayerWireClient client(served.player_port());
   client.SetPull(true);
   client.Subscribe(wire::kSimulation, 0);
