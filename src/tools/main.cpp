@@ -61,7 +61,8 @@ void AddRenderOptions(CLI::App& command, ccmorse::tools::RenderArguments& render
       ->check(Within(0.0, 1e6))
       ->type_name("S");
   command.add_flag("--lasers", render.lasers, "shows what laser scanners see");
-  command.add_flag("!--no-canvas", render.canvas, "leaves the grid map on the floor out");
+  command.add_flag_callback(
+      "--no-canvas", [&render] { render.canvas = false; }, "leaves the grid map on the floor out");
   command.add_flag("--noise", render.noise, "leaves the noise of light paths in");
   command.add_option("--threads", render.threads, "that share the work  [all cores]")
       ->check(CLI::Range(0, 256))
@@ -388,7 +389,8 @@ int Run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error);
+    constexpr int kUsage = 2;  // as other programs have it, where CLI11 counts from 100
+    return app.exit(error) == 0 ? 0 : kUsage;
   }
   try {
     if (app.get_subcommands().empty()) {
