@@ -206,5 +206,24 @@ TEST(ViewSafety, AViewerThatAsksAndNeverReadsIsLetGoAtOneMegabyte) {
   EXPECT_LT(read, reply * kCalls);
 }
 
+// How fast it is, is no test's business; that each figure is there, is.
+TEST(CommandLine, TheViewBenchmarkPrintsItsFigures) {
+  const std::string ccmorse = BuiltProgram("ccmorse");
+  const Finished table = RunToEnd({ccmorse, "bench", "view", "--seconds", "0.1"});
+  EXPECT_EQ(table.status, 0) << table.output;
+  EXPECT_NE(table.output.find("20 viewers slow the tick by"), std::string::npos) << table.output;
+  const Finished json = RunToEnd({ccmorse, "bench", "view", "--seconds", "0.1", "--json"});
+  ASSERT_EQ(json.status, 0) << json.output;
+  const Json figures = Json::Parse(json.output.substr(0, json.output.find('\n')));
+  for (const char* name : {"frame_bytes", "frame_compressed", "first_page_byte_ms"}) {
+    ASSERT_NE(figures.Find(name), nullptr) << name;
+    EXPECT_GT(figures.Find(name)->AsDouble(), 0.0) << name;
+  }
+  // 13 scans of 682 beams are in it, and the requirement is kept.
+  EXPECT_GT(figures.Find("frame_bytes")->AsDouble(), 13.0 * 682.0 * 2.0);
+  EXPECT_LT(figures.Find("frame_bytes")->AsDouble(), 40'000.0);
+  EXPECT_NE(figures.Find("viewers_slow_tick_percent"), nullptr);
+}
+
 }  // namespace
 }  // namespace ccmorse::testing
