@@ -9,6 +9,8 @@
 namespace ccmorse::navigation {
 namespace {
 
+constexpr double kNoSpeed = kPi / 3.0;  // rad off its heading: it turns on the spot
+
 // The magnitude of an occupied cell falls with its distance and is 0 from here on, m.
 constexpr double kReach = 3.0;
 // An opening as wide as this or wider is a wide one: its edges count, half of this from either
@@ -205,6 +207,7 @@ Drive Vfh::Step(const RobotState& state, std::span<const Vec2> hits) {
   };
   if (!goal_) {
     stop();
+    spot_side_ = 0.0;
     return drive;
   }
   const Vec2 to_goal{goal_->x - state.pose.x, goal_->y - state.pose.y};
@@ -216,8 +219,15 @@ Drive Vfh::Step(const RobotState& state, std::span<const Vec2> hits) {
                                    std::min(options_.min_turnrate, most), most);
     return angle < 0.0 ? -rate : rate;
   };
+  // On the spot it goes on turning to the side to which it has begun: with the goal behind it, what
+  // is best from one heading may lie to the left and from the next to the right, for ever.
+  const auto turn_on_the_spot = [&](double angle) {
+    if (spot_side_ == 0.0) spot_side_ = angle < 0.0 ? -1.0 : 1.0;
+    return spot_side_ * std::abs(turn_by(angle));
+  };
   if (reached_ || distance <= options_.distance_epsilon) {
     stop();
+    spot_side_ = 0.0;
     const double turn = NormalizeAngle(goal_->yaw - state.pose.yaw);
     reached_ = reached_ || std::abs(turn) <= options_.angle_epsilon;
     drive.at_goal = reached_;
@@ -258,18 +268,23 @@ Drive Vfh::Step(const RobotState& state, std::span<const Vec2> hits) {
     // Nowhere to go at this speed: stand, and look for a way on the spot.
     stop();
     drive.stalled = true;
-    drive.turn_rate = turn_by(target);
+    drive.turn_rate = turn_on_the_spot(target);
     return drive;
   }
   // The direction is kept in the robot's frame, which turns beneath it.
   const double angle = best->angle;
-  drive.turn_rate = std::abs(angle) < options_.sector_angle / 4.0 ? 0.0 : turn_by(angle);
+  if (std::abs(angle) >= kNoSpeed) {
+    drive.turn_rate = turn_on_the_spot(angle);
+  } else {
+    spot_side_ = 0.0;
+    drive.turn_rate = std::abs(angle) < options_.sector_angle / 4.0 ? 0.0 : turn_by(angle);
+  }
   double wanted =
       best->narrow ? *options_.max_speed_narrow_opening : *options_.max_speed_wide_opening;
   wanted = std::min(wanted, options_.max_speed);
-  // All the speed straight ahead, none from 60 degrees on; and less near the goal, which it could
+  // All the speed straight ahead, none from kNoSpeed on; and less near the goal, which it could
   // not turn to any more.
-  wanted *= std::clamp(1.0 - std::abs(angle) / Radians(60.0), 0.0, 1.0);
+  wanted *= std::clamp(1.0 - std::abs(angle) / kNoSpeed, 0.0, 1.0);
   wanted = std::min(wanted, std::max(0.02, distance));
   const double gain = options_.max_acceleration * elapsed;
   // It brakes at once.

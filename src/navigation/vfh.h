@@ -90,6 +90,7 @@ class Vfh {
   std::vector<Candidate> candidates_;
   std::optional<Pose2> goal_;
   bool reached_ = false;
+  double spot_side_ = 0.0;      // to which it turns on the spot: 1 left, -1 right, 0 it does not
   double picked_ = 0.0;         // rad, the last direction taken
   double speed_ = 0.0;          // m/s, commanded last
   std::optional<double> time_;  // s, of the last step

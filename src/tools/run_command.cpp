@@ -130,7 +130,9 @@ void PrintPlayerPorts(const std::string& bind, const servers::player::PlayerServ
   const auto ports = server->ports();
   constexpr std::size_t kShown = 16;
   for (std::size_t i = 0; i < ports.size() && i < kShown; ++i) {
-    fmt::print("Player on {} port {} (robot {})\n", bind, ports[i].port, ports[i].robot);
+    // A port of a .cfg may have drivers and no robot.
+    fmt::print("Player on {} port {} ({})\n", bind, ports[i].port,
+               ports[i].robot.empty() ? "no robot" : "robot " + ports[i].robot);
   }
   if (ports.size() > kShown) {
     fmt::print("... and on ports up to {} for the {} others\n", ports.back().port,
@@ -177,6 +179,10 @@ int Run(const RunArguments& arguments) {
   options.morse.port = arguments.port;
   options.morse.first_stream_port = arguments.stream_port;
   options.player = PlayerOptions(arguments);
+  if (arguments.player_port && *arguments.player_port != 0 && scenario.player) {
+    LogWarning("--player-port has no effect: {} says on which ports its devices are",
+               arguments.scenario);
+  }
   RequireDifferent({arguments.picture, arguments.report, arguments.record});
   servers::PrepareFile(arguments.picture);
   servers::PrepareFile(arguments.report);

@@ -116,7 +116,7 @@ PlayerDriver WithFilesOf(const ConfigDriver& section, const std::string& config_
   const std::filesystem::path folder = std::filesystem::path(config_file).parent_path();
   for (auto& [name, value] : driver.options) {
     if (name != "filename" || !value.IsString()) continue;
-    value = (folder / value.AsString()).lexically_normal().string();
+    value = std::filesystem::absolute(folder / value.AsString()).lexically_normal().string();
   }
   return driver;
 }

@@ -80,18 +80,6 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
     return static_cast<std::uint64_t>(std::floor(static_cast<double>(tick) / ticks + 1e-9));
   }
 
-  void CountUse(const sim::Sensor& sensor) {
-    Use& use = uses[sensor.full_name()];
-    if (sensor.samples() == use.last_sample) return;
-    use.last_sample = sensor.samples();
-    ++use.count;
-  }
-
-  struct Use {
-    std::uint64_t last_sample = 0;
-    std::uint64_t count = 0;
-  };
-
   // A new client of the services, called `name` in the log.
   void Take(StreamSocket socket, std::string name);
 
@@ -113,7 +101,6 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
   bool sensed_once = false;
   std::uint64_t sensed_tick = 0;  // of the last Sense()
   std::string ended;              // why reads fail, once the run is over
-  std::map<std::string, Use> uses;
   WarningLimit warnings;
   bool closed = false;
 };
@@ -378,7 +365,7 @@ class MorseServer::ServiceConnection
         });
     if (request.service == "get_local_data") {
       const auto* sensor = dynamic_cast<sim::Sensor*>(shared_.simulation.FindComponent(component));
-      if (sensor != nullptr) shared_.CountUse(*sensor);
+      if (sensor != nullptr) shared_.directory.sample_use().Count(*sensor);
     }
   }
 
@@ -529,7 +516,7 @@ class MorseServer::ServiceConnection
     }
     fast_->AppendData(outbox_.text(), seconds);
     for (const auto& subscription : fast_->subscriptions()) {
-      shared_.CountUse(*subscription.sensor);
+      shared_.directory.sample_use().Count(*subscription.sensor);
     }
   }
 
@@ -671,7 +658,7 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
       });
       sent = true;
     }
-    if (sent) shared_.CountUse(*sensor_);
+    if (sent) shared_.directory.sample_use().Count(*sensor_);
   }
 
   void Apply() {
@@ -875,8 +862,7 @@ std::optional<Clock::time_point> MorseServer::LetHangingGo(Clock::time_point wai
 }
 
 std::uint64_t MorseServer::SamplesUsed(const std::string& full_name) const {
-  const auto use = shared_->uses.find(full_name);
-  return use == shared_->uses.end() ? 0 : use->second.count;
+  return shared_->directory.sample_use().count(full_name);
 }
 
 }  // namespace ccmorse::servers

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "servers/sample_use.h"
 #include "sim/service.h"
 #include "sim/simulation.h"
 
@@ -111,6 +112,9 @@ class ServiceDirectory {
   /// To be called after each Act(): wakes those whose `time sleep` or `ccmorse step` is over.
   void TimeAdvanced();
 
+  /// Which samples clients were given, for the run's report.
+  SampleUse& sample_use() { return sample_use_; }
+
   /// Components that have a socket stream, by full name (what list_streams shows).
   static bool HasStream(const sim::Component& component);
 
@@ -135,6 +139,7 @@ class ServiceDirectory {
   sim::Simulation& simulation_;
   RunControl control_;
   Table services_;
+  SampleUse sample_use_;
   Vec3 camera_;
   double alarm_ = 0.0;  // s, simulated; of the one sleeper
   sim::Completion sleeper_;

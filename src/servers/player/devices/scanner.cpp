@@ -64,6 +64,7 @@ void Laser::Step() {
       scanner_.ranges().begin() + static_cast<std::ptrdiff_t>(FirstBeam(Def(scanner_)));
   data_.ranges.assign(first, first + Def(scanner_).samples);
   data_.id = static_cast<std::uint32_t>(samples_);
+  context_.directory.sample_use().Count(scanner_);
   Publish(wire::kLaserDataScan, scanner_.timestamp(), wire::Body::Of(data_));
 }
 
@@ -127,6 +128,7 @@ void ScannerRanger::Step() {
   const auto first =
       scanner_.ranges().begin() + static_cast<std::ptrdiff_t>(FirstBeam(Def(scanner_)));
   data_.ranges.assign(first, first + Def(scanner_).samples);
+  context_.directory.sample_use().Count(scanner_);
   Publish(wire::kRangerDataRange, scanner_.timestamp(), wire::Body::Of(data_));
   if (!intensities_) return;
   wire::RangerDataIntns intensities;
