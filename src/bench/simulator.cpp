@@ -41,7 +41,7 @@ ScenarioFile::ScenarioFile(const std::string& json)
 ScenarioFile::~ScenarioFile() { std::remove(path_.c_str()); }
 
 Simulator::Simulator(const std::string& ccmorse, const std::string& scenario,
-                     const std::string& pace, int player_port) {
+                     const std::string& pace, int player_port, View view) {
   const std::string player = std::to_string(player_port);
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("cannot make a pipe");
@@ -51,8 +51,16 @@ Simulator::Simulator(const std::string& ccmorse, const std::string& scenario,
     ::dup2(ends[1], STDOUT_FILENO);
     ::close(ends[0]);
     ::close(ends[1]);
-    ::execl(ccmorse.c_str(), "ccmorse", "run", scenario.c_str(), "--pace", pace.c_str(), "--port",
-            "0", "--stream-port", "0", "--player-port", player.c_str(), "--headless", nullptr);
+    std::vector<const char*> words = {
+        "ccmorse",       "run", scenario.c_str(), "--pace",      pace.c_str(), "--port", "0",
+        "--stream-port", "0",   "--player-port",  player.c_str()};
+    if (view == View::kNone) {
+      words.push_back("--headless");
+    } else {
+      words.insert(words.end(), {"--view-port", "0", "--threads", "1"});
+    }
+    words.push_back(nullptr);
+    ::execv(ccmorse.c_str(), const_cast<char* const*>(words.data()));
     ::_exit(127);
   }
   ::close(ends[1]);
@@ -62,9 +70,10 @@ Simulator::Simulator(const std::string& ccmorse, const std::string& scenario,
   while (output_ != nullptr && std::fgets(line, sizeof line, output_) != nullptr) {
     if (const int port = NumberAfter("MORSE services on 127.0.0.1 port ", line)) port_ = port;
     if (player_port_ == 0) player_port_ = NumberAfter("Player on 127.0.0.1 port ", line);
+    if (const int port = NumberAfter("View at http://127.0.0.1:", line)) view_port_ = port;
     if (std::string(line).rfind("SCENE INITIALIZED", 0) == 0) break;
   }
-  if (port_ == 0 || player_port_ == 0) {
+  if (port_ == 0 || player_port_ == 0 || (view == View::kServed && view_port_ == 0)) {
     ::kill(child_, SIGKILL);
     ::waitpid(child_, nullptr, 0);
     if (output_ != nullptr) std::fclose(output_);

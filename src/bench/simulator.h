@@ -32,20 +32,25 @@ class ScenarioFile {
   std::string path_;
 };
 
-/// `ccmorse run` as a child process without the view, on free ports; killed with the object.
+/// `ccmorse run` as a child process, on free ports; killed with the object.
 class Simulator {
  public:
+  /// Whether it serves the live view.
+  enum class View { kNone, kServed };
+
   /// Returns when it listens. `ccmorse`: the program's path; `pace`: real, lockstep; `player_port`:
-  /// of the first robot, those of the others follow; 0: any free ones. Throws std::runtime_error
-  /// when it does not start.
+  /// of the first robot, those of the others follow; 0: any free ones; a served view has one thread
+  /// simulate, so that processor time tells how far it came. Throws std::runtime_error when it does
+  /// not start.
   Simulator(const std::string& ccmorse, const std::string& scenario, const std::string& pace,
-            int player_port = 0);
+            int player_port = 0, View view = View::kNone);
   ~Simulator();
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
 
   int port() const { return port_; }                ///< MORSE's services
   int player_port() const { return player_port_; }  ///< Player's protocol, the first robot's
+  int view_port() const { return view_port_; }      ///< the live view; 0: none
   /// Processor time that it has used, s; in steps of 10 ms.
   double ProcessorTime() const;
 
@@ -54,6 +59,7 @@ class Simulator {
   std::FILE* output_ = nullptr;
   int port_ = 0;
   int player_port_ = 0;
+  int view_port_ = 0;
 };
 
 }  // namespace ccmorse::bench

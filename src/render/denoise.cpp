@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRounds = 5;
 constexpr std::array<double, 3> kKernel = {3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0};  // B3 spline
-constexpr double kLightEdge = 4.0;  // standard deviations of a difference that is an edge
+constexpr double kLightEdge = 2.0;  // standard deviations of a difference that is an edge
 constexpr double kNormalPower = 64.0;
 constexpr double kDepthEdge = 0.02;  // share of the distance
 constexpr double kLeastAlbedo = 0.04;

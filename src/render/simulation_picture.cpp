@@ -16,10 +16,12 @@ namespace {
 constexpr double kBevel = 0.004;       // m
 constexpr double kGroundBelow = 0.02;  // m under the floor
 constexpr Color kLaserColor{30, 139, 255};
+constexpr double kLaserOpacity = 0.22;  // seen on a white floor, and several leave it visible
 // What lamps of energy 1 do: a white floor under the sun, the sky and four spots of SyRoTek's is
-// nearly white.
-constexpr double kSunIrradiance = 0.62;
-constexpr double kSpotIntensity = 0.9;
+// nearly white, and the sun's shadows are seen beside what the others light.
+constexpr double kSunIrradiance = 1.0;
+constexpr double kSpotIntensity = 0.4;
+constexpr double kSky = 0.2;
 
 Vec3 Unit(const Vec3& v) { return (1.0 / std::sqrt(Dot(v, v))) * v; }
 
@@ -75,6 +77,7 @@ void AddRobot(const sim::Robot& robot, const Parts& parts, const PictureOptions&
     film.step = std::remainder(std::atan2(second.y, second.x) - film.first, 2.0 * kPi);
     film.ranges = laser->ranges();
     film.color = Linear(kLaserColor);
+    film.opacity = kLaserOpacity;
     if (film.step > 0.0) scene.fans.push_back(std::move(film));
   }
 }
@@ -93,6 +96,7 @@ void AddMesh(const scene::Mesh& mesh, PictureScene& scene) {
 }
 
 void AddLamps(const scene::World& world, PictureScene& scene) {
+  scene.sky = kSky;
   for (const scene::Light& light : world.lights) {
     if (light.kind == "sun") {
       scene.suns.push_back({Unit(light.position), kSunIrradiance * light.energy, 0.03});
@@ -119,7 +123,8 @@ void AddFloor(const sim::Simulation& simulation, bool canvas_shown, PictureScene
   // Nothing is whiter than paper.
   const auto paper = [](const Vec3& color) { return 0.82 * color; };
   scene.floor_material = scene.AddMaterial({paper(floor), 0.03, 0.5, false});
-  scene.ground_material = scene.AddMaterial({{0.56, 0.58, 0.60}, 0.0, 0.9, false});
+  // A table that is darker than the floor, so that the arena stands out.
+  scene.ground_material = scene.AddMaterial({{0.20, 0.22, 0.25}, 0.0, 0.9, false});
   // A slab, so that the floor has an edge.
   const std::vector<Vec2> outline = {
       {0, 0}, {world.size_x, 0}, {world.size_x, world.size_y}, {0, world.size_y}};

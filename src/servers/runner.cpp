@@ -296,8 +296,9 @@ void Runner::WaitForClients() {
   // of them: so the thread stays awake for a moment, and leaves the processor to whoever wants it.
   const auto awake_until = WallClock::now() + kStayAwake;
   while (!stop_ && !held() && !ClientsAreWaiting()) {
-    if (io_.poll_one() == 0) std::this_thread::yield();
-    if (WallClock::now() > awake_until) break;
+    if (io_.poll_one() == 0) wakefulness_.GiveWay();
+    const auto now = WallClock::now();
+    if (now > awake_until || !wakefulness_.Pays(now)) break;
   }
   const auto limit = std::chrono::duration_cast<WallClock::duration>(
       std::chrono::duration<double>(options_.client_timeout));

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/wakefulness.h"
 #include "servers/morse/morse_server.h"
 #include "servers/morse/service_directory.h"
 #include "servers/player/player_server.h"
@@ -145,6 +146,7 @@ class Runner {
   double ticks_measured_ = 0.0;  // running mean and variance of the wall time of a tick
   double mean_ = 0.0;            // s
   double squares_ = 0.0;         // s^2
+  Wakefulness wakefulness_;
   std::function<void()> on_first_tick_;
   std::vector<RunWatcher*> watchers_;
 };

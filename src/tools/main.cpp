@@ -61,7 +61,8 @@ void AddRenderOptions(CLI::App& command, ccmorse::tools::RenderArguments& render
       ->check(Within(0.0, 1e6))
       ->type_name("S");
   command.add_flag("--lasers", render.lasers, "shows what laser scanners see");
-  command.add_flag("!--no-canvas", render.canvas, "leaves the grid map on the floor out");
+  command.add_flag_callback(
+      "--no-canvas", [&render] { render.canvas = false; }, "leaves the grid map on the floor out");
   command.add_flag("--noise", render.noise, "leaves the noise of light paths in");
   command.add_option("--threads", render.threads, "that share the work  [all cores]")
       ->check(CLI::Range(0, 256))
@@ -356,6 +357,13 @@ int Run(int argc, char** argv) {
       ->check(Within(0.01, 1000.0))
       ->type_name("S");
   player_command->add_flag("--json", player.json, "one JSON object instead of a table");
+  ccmorse::tools::BenchProgramArguments view;
+  CLI::App* const view_command = bench_command->add_subcommand(
+      "view", "the live view: bytes of a frame, what 20 viewers cost, time to the first page byte");
+  view_command->add_option("--seconds", view.seconds, "wall-clock time of each measurement  [2]")
+      ->check(Within(0.01, 1000.0))
+      ->type_name("S");
+  view_command->add_flag("--json", view.json, "one JSON object instead of a table");
   ccmorse::tools::BenchProgramArguments embree;
   CLI::App* const embree_command = bench_command->add_subcommand(
       "embree", "rays against triangles among 1,000 robots on one core, beside Embree alone");
@@ -388,7 +396,8 @@ int Run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error);
+    constexpr int kUsage = 2;  // as other programs have it, where CLI11 counts from 100
+    return app.exit(error) == 0 ? 0 : kUsage;
   }
   try {
     if (app.get_subcommands().empty()) {
@@ -402,6 +411,7 @@ int Run(int argc, char** argv) {
     if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);
     if (link_command->parsed()) ccmorse::tools::ExecuteBench("link", link);
     if (player_command->parsed()) ccmorse::tools::ExecuteBench("player", player);
+    if (view_command->parsed()) ccmorse::tools::ExecuteBench("view", view);
     if (embree_command->parsed()) ccmorse::tools::ExecuteBench("embree", embree);
     if (batch_command->parsed()) return ccmorse::tools::Batch(batch);
     if (all_command->parsed()) return ccmorse::tools::BenchAll(all);

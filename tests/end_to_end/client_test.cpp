@@ -364,18 +364,18 @@ TEST(N04, AProgramSetsATrap) {
   rig.client.Read();
   MorseObstacleAction action;
   action.up = {id};
-  const double x = rig.position.GetXPos();
-  const double y = rig.position.GetYPos();
+  // A square 0.3 m ahead of it.
+  const double x = rig.position.GetXPos() + 0.3 * std::cos(rig.position.GetYaw());
+  const double y = rig.position.GetYPos() + 0.3 * std::sin(rig.position.GetYaw());
   const auto corner = [&](double dx, double dy) {
     player_point_2d_t point{};
     point.px = x + dx;
     point.py = y + dy;
     return point;
   };
-  // All around where the robot is, but for 5 cm: any way leads into one of the halves.
-  arena.AddTrap("left", {corner(-2, -2), corner(-0.05, -2), corner(-0.05, 2), corner(-2, 2)},
+  arena.AddTrap("ahead",
+                {corner(-0.1, -0.1), corner(0.1, -0.1), corner(0.1, 0.1), corner(-0.1, 0.1)},
                 action);
-  arena.AddTrap("right", {corner(0.05, -2), corner(2, -2), corner(2, 2), corner(0.05, 2)}, action);
   rig.client.Read();
   EXPECT_FALSE(arena.IsRaised(id));
   rig.position.SetMotorEnable(true);

@@ -301,5 +301,38 @@ TEST_F(PlayerDevices, SpeechIsTaken) {
   EXPECT_NE(log.find(R"(a says "hello \"world\"\n")"), std::string::npos) << log;
 }
 
+// A world of Stage has its (0, 0) in the middle, and programs know its coordinates.
+TEST(PlayerOrigin, ClientsAreToldTheCoordinatesOfTheWorldsFile) {
+  ServedSimulation served(R"({"world": {"name": "hall", "size": [6, 4], "origin": [3, 2],
+      "boxes": []}, "robots": [{"name": "a", "pose": {"x": 2, "y": 2.5, "yaw": 0}}],
+      "canvas": {"width": 60, "height": 40}})",
+                          Pace::kLockstep);
+  PlayerWireClient client(served.player_port());
+  client.SetPull(true);
+  client.Subscribe(wire::kSimulation, 0);
+  client.Subscribe(wire::kPosition2d, 2);
+  client.Subscribe(wire::kMap, 0);
+  wire::SimulationPose2dReq asked;
+  asked.name = "a";
+  const auto place = [&] {
+    return client
+        .Get<wire::SimulationPose2dReq>(wire::kSimulation, 0, wire::kSimulationReqGetPose2d,
+                                        wire::Encode(asked))
+        .pose;
+  };
+  EXPECT_EQ(place(), (wire::Pose2d{-1.0, 0.5, 0.0}));
+  const auto pose = client.ReadUntil(wire::kPosition2d, 2).As<wire::Position2dData>().pos;
+  EXPECT_NEAR(pose.px, -1.0, 1e-9);
+  EXPECT_NEAR(pose.py, 0.5, 1e-9);
+  asked.pose = {1.0, -1.0, 0.0};
+  EXPECT_EQ(
+      client.RequestWith(wire::kSimulation, 0, wire::kSimulationReqSetPose2d, asked).header.type,
+      MessageType::kAck);
+  EXPECT_EQ(place(), (wire::Pose2d{1.0, -1.0, 0.0}));
+  EXPECT_NEAR(served.simulation().robots()[0]->pose().x, 4.0, 1e-12);
+  const auto info = client.Get<wire::MapInfo>(wire::kMap, 0, wire::kMapReqGetInfo);
+  EXPECT_EQ(info.origin, (wire::Pose2d{-3.0, -2.0, 0.0}));
+}
+
 }  // namespace
 }  // namespace ccmorse::servers

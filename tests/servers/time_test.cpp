@@ -175,9 +175,8 @@ TEST(Time, WrongArgumentsAreRefused) {
 TEST(Time, TheLogIsToBeHad) {
   ServedSimulation served("{}", Pace::kMax);
   LineClient client(served.port());
-  const Json before = Ask(client, "ccmorse log");
-  const std::int64_t last =
-      before.AsArray().empty() ? 0 : before.AsArray().back().Find("number")->AsInt();
+  const Json before = Ask(client, "ccmorse log");  // no value stands for an empty list
+  const std::int64_t last = before.IsArray() ? before.AsArray().back().Find("number")->AsInt() : 0;
   client.Send(std::string(2'000'000, 'x') + "\n");  // too long a line is worth a warning
   client.ReadLine();
   const Json after = Ask(client, "ccmorse log [" + std::to_string(last) + "]");

@@ -19,6 +19,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/wakefulness.h"
 #include "client/core/address.h"
 #include "client/core/in_process.h"
 #include "client/core/tcp_connect.h"
@@ -140,7 +141,7 @@ struct Connection::Impl {
   // Waits for bytes, for room to send with `to_send`, for Wake() or until the time has come.
   Came Receive(Clock::time_point until, Clock::time_point expected, bool to_send) {
     const auto start = Clock::now();
-    auto awake_until = start + kStayAwake;
+    auto awake_until = wakefulness.Pays(start) ? start + kStayAwake : start;
     if (start < expected - kWakeEarly) {
       until = std::min(until, expected - kWakeEarly);
     } else {
@@ -162,7 +163,7 @@ struct Connection::Impl {
       if (slept || woken.exchange(false)) return Came::kNothing;
       const auto now = Clock::now();
       if (now < awake_until) {
-        if (now < expected - kWakeEarly || now > expected + kWakeEarly) std::this_thread::yield();
+        if (now < expected - kWakeEarly || now > expected + kWakeEarly) wakefulness.GiveWay();
         continue;
       }
       Sleep(until, to_send);
@@ -448,6 +449,7 @@ struct Connection::Impl {
   std::unique_ptr<ccmorse::wire::FrameSplitter> splitter;  // a fast link; set while nobody pumps
   std::size_t received = 0;
   int receive_error = 0;
+  ccmorse::Wakefulness wakefulness;
 
   mutable std::mutex mutex;
   std::condition_variable changed;

@@ -41,7 +41,9 @@ bool Graphics2d::Place(const std::vector<wire::Point2d>& points) {
   const double cell = context_.simulation.canvas().cell_size();
   for (const wire::Point2d& point : points) {
     Vec2 at{point.px, point.py};
-    if (index() == 0) at = Transform(robot_.pose(), at);
+    // The robot's frame, or the world's as its file had it.
+    at = index() == 0 ? Transform(robot_.pose(), at)
+                      : at + context_.simulation.world().scene().origin;
     at = (1.0 / cell) * at;
     if (!(std::fabs(at.x) < kFarthest && std::fabs(at.y) < kFarthest)) return false;
     placed_.push_back(at);

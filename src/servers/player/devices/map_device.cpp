@@ -74,7 +74,9 @@ bool MapDevice::Ask(std::uint8_t subtype, const wire::Body& body, Reply& reply) 
       info.scale = map.scale();
       info.width = static_cast<std::uint32_t>(map.width());
       info.height = static_cast<std::uint32_t>(map.height());
-      info.origin = {map.origin().x, map.origin().y, 0.0};
+      // The world's own is told in the coordinates that the world's file had.
+      const Vec2 moved = of_world_ ? context_.simulation.world().scene().origin : Vec2{};
+      info.origin = {map.origin().x - moved.x, map.origin().y - moved.y, 0.0};
       reply.Set(info);
       return body.empty();
     }

@@ -46,7 +46,12 @@ Position2d::Position2d(DeviceContext context, const sim::Robot& robot, std::uint
       robot_(robot),
       sensor_(sensor),
       drives_(drives),
-      rate_(frequency) {}
+      rate_(frequency) {
+  if (sensor.number_form() != sim::NumberForm::kPose) return;
+  // A pose in the world is told in the coordinates that the world's file had.
+  const Vec2 origin = context.simulation.world().scene().origin;
+  frame_ = {-origin.x, -origin.y, 0.0};
+}
 
 void Position2d::Read() {
   numbers_.clear();

@@ -39,21 +39,25 @@ SimulationDevice::SimulationDevice(DeviceContext context, std::uint16_t index)
               {MessageType::kRequest, wire::kSimulationReqGetProperty}}),
       context_(context) {}
 
+// Clients know the coordinates that the world's file had.
 bool SimulationDevice::FindPose(const std::string& name, wire::Pose2d& pose) const {
+  const Vec2 origin = context_.simulation.world().scene().origin;
+  const auto tell = [&](const Pose2& found) {
+    pose = {found.x - origin.x, found.y - origin.y, found.yaw};
+    return true;
+  };
   if (const sim::Robot* const robot = context_.simulation.FindRobot(name)) {
-    pose = {robot->pose().x, robot->pose().y, robot->pose().yaw};
-    return true;
+    return tell(robot->pose());
   }
-  if (const scene::Box* const box = FindBox(context_.simulation, name)) {
-    pose = {box->pose.x, box->pose.y, box->pose.yaw};
-    return true;
-  }
-  return false;
+  const scene::Box* const box = FindBox(context_.simulation, name);
+  return box != nullptr && tell(box->pose);
 }
 
 bool SimulationDevice::PlaceRobot(const std::string& name, double x, double y, double yaw) const {
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(yaw)) return false;
-  const std::array<Json, 3> arguments = {Json(name), Json(Json::Array{x, y, 0.0}),
+  const Vec2 origin = context_.simulation.world().scene().origin;
+  const std::array<Json, 3> arguments = {Json(name),
+                                         Json(Json::Array{x + origin.x, y + origin.y, 0.0}),
                                          Json(Json::Array{0.0, 0.0, yaw})};
   return context_.Run("simulation", "set_object_position", arguments);
 }
