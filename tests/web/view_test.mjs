@@ -10,6 +10,7 @@ import nodeTest from "node:test";
 import { chromium } from "playwright-core";
 
 const PROGRAM = process.env.CCMORSE ?? "build/release/bin/ccmorse";
+const LAYERS = process.env.LAYERS ?? join(dirname(PROGRAM), "layers"); // of examples/canvas
 const LONG = Number(process.env.LONG ?? 60_000); // ms: software rendering on a busy machine is slow
 
 /** A program with a view. */
@@ -546,7 +547,7 @@ test("the layers of a program's canvas are switched in a list", async (context) 
   context.after(() => page.close());
   assert.equal(await page.locator("#canvas-layers input").count(), 0);
   const port = /port (\d+)/.exec(simulator.output)[1];
-  const program = spawn(join(dirname(PROGRAM), "layers"), [port, "600"], { stdio: "ignore" });
+  const program = spawn(LAYERS, [port, "600"], { stdio: "ignore" });
   context.after(() => program.kill());
   const layer = (name) => page.getByRole("checkbox", { name, exact: true });
   await layer("scan").waitFor();
