@@ -1,4 +1,4 @@
-// Makes docs/images/view.png and view-plots.png from the live view itself: node docs/images/make_view_pictures.mjs, after
+// Makes docs/images/view.png, view-obstacles.png and view-plots.png from the live view itself: node docs/images/make_view_pictures.mjs, after
 // ./check has built everything. Takes a minute where a processor has to draw.
 import { spawn } from "node:child_process";
 import { createRequire } from "node:module";
@@ -43,6 +43,29 @@ try {
   const from = await page.evaluate(() => window.ccmorse.frames());
   await page.waitForFunction((n) => window.ccmorse.frames() > n + 4, from);
   await page.screenshot({ path: `${root}docs/images/view.png` });
+
+  // Obstacles are changed: some stand, one waits for a robot to leave, a rubber band is drawn.
+  await page.evaluate(async () => {
+    const arena = (service, args) => window.ccmorse.call("arena", service, args);
+    await arena("raise", [[66, 67, 68, 74]]);
+    await arena("save_preset", ["corner"]);
+    await arena("move", [71, 1.3, 2.03]);
+    await arena("raise", [[71, 73]]);
+    window.ccmorse.look([1.4, 0.3, 2.6], [1.72, 2.05, 0]);
+  });
+  await page.keyboard.press("o");
+  await page.locator("#obstacles").evaluate((section) => section.scrollIntoView());
+  const before = await page.evaluate(() => window.ccmorse.frames());
+  await page.waitForFunction((n) => window.ccmorse.frames() > n + 2, before);
+  const [at, to] = await page.evaluate(() => [window.ccmorse.findBox(70), window.ccmorse.findBox(69)]);
+  await page.mouse.move(Math.min(at.x, to.x) - 60, Math.min(at.y, to.y) - 45);
+  await page.mouse.down();
+  await page.mouse.move(Math.max(at.x, to.x) + 60, Math.max(at.y, to.y) + 40);
+  await page.waitForTimeout(1000);
+  await page.screenshot({ path: `${root}docs/images/view-obstacles.png` });
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  await page.evaluate(() => window.ccmorse.call("simulation", "reset_objects", []));
 
   // Dark, plain, and a robot that drives, with plots and devices open.
   await page.emulateMedia({ colorScheme: "dark" });

@@ -67,6 +67,10 @@ class GridMap {
   /// Whether the layer is shown at all; true at first. It can be drawn on either way.
   void SetVisible(bool visible);
   bool IsVisible() const;
+  /// Whether people who look at the simulator's view have the layer switched on, as they do at
+  /// first. A switch takes effect with a Read() within a simulated second. A layer that is visible
+  /// and shown is seen.
+  bool IsShown() const;
 
   int GetWidth() const;   ///< cells, the window's
   int GetHeight() const;  ///< cells, the window's
@@ -150,6 +154,7 @@ class GridMap {
   std::optional<Color_t> key_;
   int priority_ = 0;
   bool visible_ = true;
+  bool shown_ = true;        // as of the last answer to Layers::Ask()
   std::vector<Cell> cells_;  // (height x width), row 0 at the bottom
   std::optional<ImagePoint_t> trace_end_;
 };

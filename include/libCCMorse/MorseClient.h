@@ -163,6 +163,8 @@ class MorseClient : public std::enable_shared_from_this<MorseClient> {
   // On a fast link: data of a device that was not asked for so far, unless the next Read() brings
   // them anyway. `text`: as text, whatever it takes.
   void Fetch(const std::string& device, bool text);
+  void AskWithRead(const std::string& component, const std::string& service,
+                   std::function<void(const MorseValue&)> take);
   bool QueueNumbers(const std::string& component, const std::string& service, const double* numbers,
                     std::size_t count);
   bool QueueImage(const std::string& component, const std::string& service, int width, int height,

@@ -119,6 +119,11 @@ class MorseDevice {
   bool CommandImage(const char* service, int width, int height, const std::vector<Color_t>& image);
   bool CommandPixels(const char* service, const PixelUpdate_t* pixels, std::size_t count);
 
+  /// Has the next Read() ask for something else, too, in the same message and without waiting for
+  /// it any longer. `take` gets the answer in the thread that reads, under no lock; it is not
+  /// called where there is none.
+  void AskWithRead(const char* service, std::function<void(const MorseValue&)> take);
+
  private:
   friend class MorseClient;
   void StartUse() const;

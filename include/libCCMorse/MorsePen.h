@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,20 @@ class MorsePen : public MorseActuator {
   void UpdateImageData(const std::vector<PixelUpdate_t>& pixels);
   /// Saves the canvas as PNG under `name`, where the simulator runs.
   void SaveImageCopy(const std::string& name);
+
+  // --- The list of layers that the simulator's view shows, with a switch for each. WindowProxy
+  // sees to it by itself; a simulator without such a list, such as MORSE, is told nothing and has
+  // none.
+
+  /// Sends the layers, from the lowest to the topmost, with the next Read(); `shown` is not sent.
+  void SetLayers(const std::vector<CanvasLayer_t>& layers);
+  /// Switches a layer on or off, as people do in the view; leaves with the next Read().
+  void ShowLayer(const std::string& name, bool shown);
+  /// The list, asked from the simulator; throws MorseError without an answer.
+  std::vector<CanvasLayer_t> GetLayers();
+  /// Has the next Read() ask for the list as well, without waiting for anything more. `take` gets
+  /// it from the thread that reads; not called when there is no answer.
+  void AskLayers(const std::function<void(const std::vector<CanvasLayer_t>&)>& take);
 
   // --- The canvas
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "libplayerc/playerc.h"
 
@@ -35,6 +36,14 @@ inline bool operator==(const Color_t& a, const Color_t& b) {
 struct PixelUpdate_t {
   ImagePoint_t point;  ///< which cell
   Color_t color;       ///< its new colour
+};
+
+/// A layer of the canvas, as the simulator lists it for its view (docs/canvas.md).
+struct CanvasLayer_t {
+  std::string name;
+  int priority = 0;     ///< a higher one lies above
+  bool visible = true;  ///< as the program wants it
+  bool shown = true;    ///< as people who look at the view want it; seen is what both want
 };
 
 // Player's value types, which programs brace-initialise.

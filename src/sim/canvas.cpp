@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "base/line_cells.h"
@@ -85,6 +86,26 @@ void Canvas::AddToHash(StateHash& hash) const {
 }
 
 void Canvas::Reset() { Resize(def_.width, def_.height); }
+
+void Canvas::SetLayers(std::vector<CanvasLayer> layers) {
+  for (CanvasLayer& layer : layers) {
+    const auto before = std::find_if(layers_.begin(), layers_.end(),
+                                     [&](const CanvasLayer& l) { return l.name == layer.name; });
+    layer.shown = before == layers_.end() || before->shown;
+  }
+  if (layers == layers_) return;
+  layers_ = std::move(layers);
+  ++layers_revision_;
+}
+
+bool Canvas::ShowLayer(const std::string& name, bool shown) {
+  const auto layer = std::find_if(layers_.begin(), layers_.end(),
+                                  [&](const CanvasLayer& l) { return l.name == name; });
+  if (layer == layers_.end()) return false;
+  if (layer->shown != shown) ++layers_revision_;
+  layer->shown = shown;
+  return true;
+}
 
 std::string Canvas::SaveCopy(const std::string& name) const {
   if (name.empty() || name[0] == '.' || name.size() > 200 ||

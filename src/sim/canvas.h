@@ -11,6 +11,16 @@
 
 namespace ccmorse::sim {
 
+/// A layer of which the program that draws makes the canvas (thesis 4.2.2). The canvas only keeps
+/// the list, so that people can switch layers: the picture is the program's.
+struct CanvasLayer {
+  std::string name;
+  int priority = 0;     ///< a higher one lies above
+  bool visible = true;  ///< as the program wants it
+  bool shown = true;    ///< as people want it; seen is what both want
+  bool operator==(const CanvasLayer&) const = default;
+};
+
 /// The grid map that robots draw on and people look at: one in a simulation, passive
 /// (thesis 4.2.1). Cells are square; cell (0, 0) lies at the world's bottom-left corner, x to the
 /// right, y up. A cell nobody has drawn on is clear: it shows the floor and reads as white. Not
@@ -49,8 +59,20 @@ class Canvas {
   /// Adds every cell that was drawn on, with its place and colour.
   void AddToHash(StateHash& hash) const;
 
-  /// Clear, in the resolution of the start.
+  /// Clear, in the resolution of the start. The list of layers stays: programs send theirs only
+  /// when it changes.
   void Reset();
+
+  /// The layers, from the lowest to the topmost, as SetLayers() was told. No part of the hash: they
+  /// change no cell.
+  const std::vector<CanvasLayer>& layers() const { return layers_; }
+  /// A new list of layers. Those that were there before stay shown or hidden, whatever `layers`
+  /// says. Precondition: no name twice.
+  void SetLayers(std::vector<CanvasLayer> layers);
+  /// Switches a layer on or off. False when there is none of that name.
+  bool ShowLayer(const std::string& name, bool shown);
+  /// Changes with every change of the list.
+  std::uint32_t layers_revision() const { return layers_revision_; }
 
   /// Folder that SaveCopy writes to; "." at start.
   void set_picture_folder(const std::string& folder) { picture_folder_ = folder; }
@@ -77,6 +99,8 @@ class Canvas {
   std::uint64_t revision_ = 0;
   std::vector<Color> cells_;  // (height x width), row 0 at the bottom
   std::vector<bool> drawn_;   // (height x width)
+  std::vector<CanvasLayer> layers_;
+  std::uint32_t layers_revision_ = 0;
 };
 
 }  // namespace ccmorse::sim

@@ -235,6 +235,78 @@ TEST(P26, LayersAreTheSameByEitherLink) {
   EXPECT_TRUE(pictures["fast"] == pictures["json"]);
 }
 
+// Whoever looks switches layers; the program that draws follows, whichever link it has.
+TEST(P26, LayersThatPeopleSwitchOffGoWithinASimulatedSecond) {
+  for (const std::string link : {"fast", "json"}) {
+    SCOPED_TRACE(link);
+    Simulator simulator({"syrotek", "--pace", "lockstep"});
+    if (link == "json") ::setenv("CCMORSE_LINK", "json", 1);
+    CCMorse::PlayerClient client("localhost", simulator.port());
+    ::unsetenv("CCMORSE_LINK");
+    ASSERT_EQ(MorseClient::GetInstance().GetLink(), link);
+    LineClient viewer(simulator.port());
+    auto& window = CCMorse::WindowProxy::GetInstance(&client, 20, 20);
+    auto& base = window.AddLayer("base");
+    auto& scan = window.AddLayer("scan", CCMorse::LayerColor::kScan, 2);
+    base.SetPixel(3, 3);
+    scan.SetPixel(3, 3);
+    client.Read();
+    EXPECT_EQ(viewer.Ask("1 s1r.pen get_layers"),
+              R"(1 SUCCESS [["base", 0, true, true], ["scan", 2, true, true]])");
+    EXPECT_EQ(window.GetPixel(3, 3), CCMorse::LayerColor::kScan);
+
+    EXPECT_EQ(viewer.Ask(R"(2 s1r.pen show_layer ["scan", false])"), "2 SUCCESS");
+    const double switched = MorseClient::GetInstance().GetTime();
+    while (scan.IsShown() && MorseClient::GetInstance().GetTime() < switched + 5.0) client.Read();
+    EXPECT_LE(MorseClient::GetInstance().GetTime(), switched + 1.2);
+    EXPECT_FALSE(scan.IsShown());
+    EXPECT_TRUE(scan.IsVisible()) << "that is up to the program";
+    EXPECT_TRUE(base.IsShown());
+    EXPECT_EQ(window.GetPixel(3, 3), (CCMorse::Color_t{0, 0, 0})) << "what lies beneath";
+
+    // A change of the list switches nothing on again.
+    window.AddLayer("trace", CCMorse::LayerColor::kTrace, 3).SetVisible(false);
+    base.SetPriority(1);
+    window.RemoveLayer("trace");
+    window.AddLayer("path", CCMorse::LayerColor::kPath, 4).SetVisible(false);
+    client.Read();
+    EXPECT_EQ(viewer.Ask("3 s1r.pen get_layers"),
+              R"(3 SUCCESS [["base", 1, true, true], ["scan", 2, true, false], )"
+              R"(["path", 4, false, true]])");
+    EXPECT_EQ(viewer.Ask(R"(4 s1r.pen show_layer ["scan", true])"), "4 SUCCESS");
+    for (int i = 0; i < 12; ++i) client.Read();
+    EXPECT_EQ(window.GetPixel(3, 3), CCMorse::LayerColor::kScan);
+
+    delete &window;
+    client.Read();
+    EXPECT_EQ(viewer.Ask("5 s1r.pen get_layers"), "5 SUCCESS") << "as MORSE says an empty list";
+  }
+}
+
+// A line of the protocol has 1 MiB; a whole image of a large canvas has more.
+TEST(P10, AWholeImageOfALargeCanvasGoesOverEitherLink) {
+  constexpr int kWidth = 400;
+  constexpr int kHeight = 301;
+  for (const std::string link : {"fast", "json"}) {
+    SCOPED_TRACE(link);
+    Simulator simulator({"syrotek", "--pace", "lockstep"});
+    if (link == "json") ::setenv("CCMORSE_LINK", "json", 1);
+    const auto client = MorseClient::Share("localhost", simulator.port());
+    ::unsetenv("CCMORSE_LINK");
+    ASSERT_EQ(client->GetLink(), link);
+    auto& pen = client->GetRobot("s1r").GetDevice<MorsePen>();
+    pen.ResizeCanvas(kWidth, kHeight);
+    std::vector<CCMorse::Color_t> image;
+    for (int i = 0; i < kWidth * kHeight; ++i) {
+      const auto byte = [](int value) { return static_cast<unsigned char>(100 + value % 156); };
+      image.push_back({byte(i), byte(i / 7), byte(i / 400)});
+    }
+    pen.SetImageData(image);
+    client->Read();
+    EXPECT_TRUE(pen.GetImageData() == image);
+  }
+}
+
 // The example draws what figures 4.5 to 4.7 show: all of them at least once, and each where it
 // belongs.
 TEST(P28, TheExampleShowsScanInflatedMapPathAndTraceOnTheOccupancyGrid) {

@@ -126,6 +126,27 @@ TEST_F(ServiceTest, ANewGotoPreemptsTheOneThatRuns) {
   EXPECT_EQ(client_.ReadLine(), "2 SUCCESS \"Arrived\"");
 }
 
+TEST_F(ServiceTest, EventsOfTheArenaAreNumbered) {
+  EXPECT_EQ(Ask("1 arena events"), "1 SUCCESS");
+  Ask("2 arena raise [69]");
+  Ask("3 arena lower [[69, 70]]");
+  const Json all = Value("arena events");
+  ASSERT_EQ(all.AsArray().size(), 2U);
+  EXPECT_EQ(all.AsArray()[0].Find("number")->AsInt(), 1);
+  EXPECT_EQ(all.AsArray()[0].Find("what")->AsString(), "up 69");
+  const Json later = Value("arena events [1]");
+  ASSERT_EQ(later.AsArray().size(), 1U);
+  EXPECT_EQ(later.AsArray()[0], all.AsArray()[1]);
+  EXPECT_EQ(later.AsArray()[0].Find("cause")->AsString(), "service");
+  EXPECT_EQ(Ask("4 arena events [2]"), "4 SUCCESS");
+  // Only the last 200 are kept; the numbers go on.
+  for (int i = 0; i < 210; ++i) Ask("5 arena toggle [70]");
+  const Json last = Value("arena events");
+  ASSERT_EQ(last.AsArray().size(), 200U);
+  EXPECT_EQ(last.AsArray().front().Find("number")->AsInt(), 13);
+  EXPECT_EQ(last.AsArray().back().Find("number")->AsInt(), 212);
+}
+
 TEST_F(ServiceTest, SimulationListsRobotsStreamsAndPorts) {
   EXPECT_EQ(Value("simulation list_robots"), Json::Parse(R"(["s1r", "two"])"));
   const Json streams = Value("simulation list_streams");

@@ -214,6 +214,74 @@ TEST(WebServer, AFrameOfThirteenRobotsWithTheirScansIsSmall) {
   EXPECT_LT(frame.size(), 40'000U);
 }
 
+std::uint32_t WordAt(const std::string& frame, std::size_t at) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, frame.data() + at, sizeof value);
+  return value;
+}
+
+// docs/protocols/view.md: what a frame says of boxes and of the canvas's layers.
+TEST(WebServer, AFrameTellsWhichBoxesStandWaitAndHaveMoved) {
+  sim::Simulation simulation(scene::ParseScenario("{}", "test.json"));
+  ViewModel model(simulation);
+  const std::string scene = model.Scene(Json(Json::Object{}));
+  const auto& boxes = simulation.world().scene().boxes;
+  const auto place_of = [&](int id) {
+    return static_cast<std::size_t>(
+        std::find_if(boxes.begin(), boxes.end(), [&](const auto& box) { return box.id == id; }) -
+        boxes.begin());
+  };
+  const std::size_t flags_at = kFirstRobot + 24 * simulation.robots().size() + 4;
+  const std::size_t moved_at = flags_at + (boxes.size() + 3) / 4 * 4;
+  const auto frame = [&] {
+    ViewModel::Seen seen;
+    return model.Frame(seen, 1.0, {});
+  };
+  std::string at_start = frame();
+  EXPECT_EQ(WordAt(at_start, flags_at - 4), boxes.size());
+  EXPECT_EQ(at_start[flags_at + place_of(69)], 0);
+  EXPECT_EQ(WordAt(at_start, moved_at), 0U);
+  EXPECT_EQ(WordAt(at_start, moved_at + 4), 0U) << "no event so far";
+
+  scene::ObstacleAction up;
+  up.up = {69};
+  simulation.arena().Apply(up, 0.0, "service");
+  const Pose2 robot = simulation.robots()[0]->pose();
+  simulation.arena().Move(70, robot, 0.0);  // it is down
+  up.up = {70};
+  simulation.arena().Apply(up, 0.0, "service");
+  const std::string later = frame();
+  EXPECT_EQ(later[flags_at + place_of(69)], 1);
+  EXPECT_EQ(later[flags_at + place_of(70)], 2) << "a robot stands there";
+  ASSERT_EQ(WordAt(later, moved_at), 1U);
+  EXPECT_EQ(WordAt(later, moved_at + 4), place_of(70));
+  EXPECT_EQ(SingleAt(later, moved_at + 8), static_cast<float>(robot.x));
+  EXPECT_EQ(SingleAt(later, moved_at + 12), static_cast<float>(robot.y));
+  EXPECT_EQ(SingleAt(later, moved_at + 16), static_cast<float>(robot.yaw));
+  EXPECT_EQ(WordAt(later, moved_at + 20), 3U) << "events";
+  EXPECT_EQ(later.size(), at_start.size() + 16);
+  // Who comes later gets the same scene, and so the same poses.
+  EXPECT_EQ(model.Scene(Json(Json::Object{})), scene);
+}
+
+TEST(WebServer, AFrameTellsWhenTheListOfLayersChanges) {
+  sim::Simulation simulation(scene::ParseScenario("{}", "test.json"));
+  ViewModel model(simulation);
+  ViewModel::Seen seen;
+  model.Frame(seen, 1.0, {});
+  // Without new rows a frame ends with the canvas's size, the list's number and no rows.
+  const auto number = [&] {
+    const std::string frame = model.Frame(seen, 1.0, {});
+    EXPECT_EQ(WordAt(frame, frame.size() - 16), 172U);
+    return WordAt(frame, frame.size() - 8);
+  };
+  EXPECT_EQ(number(), 0U);
+  simulation.canvas().SetLayers({{"base"}, {"scan", 1}});
+  EXPECT_EQ(number(), 1U);
+  EXPECT_TRUE(simulation.canvas().ShowLayer("scan", false));
+  EXPECT_EQ(number(), 2U);
+}
+
 TEST(WebServer, ViewersThatHaveSeenTheSameAreToldTheSame) {
   const ServedView view;
   ViewClient one(view.port());

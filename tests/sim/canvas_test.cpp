@@ -48,6 +48,7 @@ class P11 : public PenTest {};
 class P12 : public PenTest {};
 class P13 : public PenTest {};
 class P14 : public PenTest {};
+class P26 : public PenTest {};
 
 TEST_F(P01, AGridMapIsThePictureCellByCell) {
   // Free cells white, unknown ones grey, obstacles black: one of a pattern of its own.
@@ -208,6 +209,53 @@ TEST_F(P14, TransparencyBlendsWithWhatWasThere) {
   Ask("set_pixel", {2, 2, 0, 0, 0, 0.0});
   EXPECT_EQ(Drawn().size(), 1U);
   EXPECT_THROW(Ask("set_pixel", {1, 1, 0, 0, 0, 1.5}), WrongArgument);
+}
+
+TEST_F(P26, TheListOfLayersKeepsItsSwitchesAndChangesNoCell) {
+  const std::uint64_t hash = simulation_.Hash();
+  const std::uint32_t none = simulation_.canvas().layers_revision();
+  EXPECT_EQ(none, 0U);
+  EXPECT_EQ(Ask("get_layers", {}), Json::Parse("[]"));
+  Ask("set_layers", {Json::Parse(R"([["base", 0, true], ["scan", 2, false]])")});
+  EXPECT_EQ(Ask("get_layers", {}),
+            Json::Parse(R"([["base", 0, true, true], ["scan", 2, false, true]])"));
+  Ask("show_layer", {"scan", false});
+  // A program that sends another list does not switch on what people have switched off.
+  Ask("set_layers", {Json::Parse(R"([["scan", 2, true], ["trace", 3, true]])")});
+  const Json after = Json::Parse(R"([["scan", 2, true, false], ["trace", 3, true, true]])");
+  EXPECT_EQ(Ask("get_layers", {}), after);
+  const std::uint32_t revision = simulation_.canvas().layers_revision();
+  EXPECT_EQ(revision, 3U);
+  Ask("set_layers", {Json::Parse(R"([["scan", 2, true], ["trace", 3, true]])")});
+  Ask("show_layer", {"trace", true});
+  EXPECT_EQ(simulation_.canvas().layers_revision(), revision) << "nothing has changed";
+  simulation_.ResetObjects();
+  simulation_.canvas().Reset();
+  EXPECT_EQ(Ask("get_layers", {}), after);
+  EXPECT_EQ(simulation_.Hash(), hash);
+}
+
+TEST_F(P26, AWrongListOfLayersIsRefusedAsAWhole) {
+  Ask("set_layers", {Json::Parse(R"([["base", 0, true]])")});
+  for (const char* wrong :
+       {"7", R"([["a", 0]])", R"([["", 0, true]])", R"([["a", 0.5, true]])", R"([["a", 0, 1]])",
+        R"([[1, 0, true]])", R"([["a", 0, true], ["a", 1, true]])",
+        R"([["a", 3000000000, true]])"}) {
+    EXPECT_THROW(Ask("set_layers", {Json::Parse(wrong)}), WrongArgument) << wrong;
+  }
+  Json::Array many;
+  for (int i = 0; i < 257; ++i) many.emplace_back(Json::Array{std::to_string(i), 0, true});
+  EXPECT_THROW(Ask("set_layers", {Json(many)}), WrongArgument);
+  EXPECT_THROW(Ask("set_layers", {Json(Json::Array{Json::Array{std::string(101, 'a'), 0, true}})}),
+               WrongArgument);
+  EXPECT_EQ(Ask("get_layers", {}), Json::Parse(R"([["base", 0, true, true]])"));
+  EXPECT_THROW(Ask("show_layer", {"base", 1}), WrongArgument);
+  try {
+    Ask("show_layer", {"bass", false});
+    FAIL() << "there is no such layer";
+  } catch (const ServiceFailed& failed) {
+    EXPECT_NE(std::string(failed.what()).find("'base'"), std::string::npos) << failed.what();
+  }
 }
 
 }  // namespace

@@ -2,14 +2,15 @@
 // page and from the simulator. node --test view_test.mjs, with the program's path in $CCMORSE.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { mkdtemp, readFile, rm } from "node:fs/promises";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { request } from "node:http";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import nodeTest from "node:test";
 import { chromium } from "playwright-core";
 
 const PROGRAM = process.env.CCMORSE ?? "build/release/bin/ccmorse";
+const LAYERS = process.env.LAYERS ?? join(dirname(PROGRAM), "layers"); // of examples/canvas
 const LONG = Number(process.env.LONG ?? 60_000); // ms: software rendering on a busy machine is slow
 
 /** A program with a view. */
@@ -317,6 +318,281 @@ view("what is shown is saved as a picture and as a film", "syrotek", async (page
   assert.ok(film.length > 2000, String(film.length));
   assert.equal(await page.textContent("#film"), "Film");
 });
+
+// --- Obstacles
+
+/** A test on a page that looks at a scenario of its own. */
+function viewOf(name, scenario, body, ...more) {
+  test(name, async (context) => {
+    const folder = await mkdtemp(join(tmpdir(), "ccmorse-view-"));
+    context.after(() => rm(folder, { recursive: true }));
+    const file = join(folder, "obstacles.json");
+    await writeFile(file, JSON.stringify(scenario));
+    const simulator = new Simulator(file, ...more);
+    context.after(() => simulator.stop());
+    const page = await look(await simulator.address);
+    context.after(() => page.close());
+    await body(page, context, folder);
+    assert.deepEqual(page.problems, []);
+  });
+}
+
+const ROBOTS = [{ name: "s1r", pose: { x: 1.2, y: 2.0, yaw_deg: 90 } }];
+const UP = 1;
+const WAITING = 2;
+
+const flags = (page, id) => page.evaluate((wanted) =>
+  window.ccmorse.frame().boxes[window.ccmorse.scene().boxes.findIndex((box) => box.id === wanted)], id);
+const becomes = (page, ids, wanted) => page.waitForFunction(([all, value]) => all.every((id) =>
+  window.ccmorse.frame().boxes[window.ccmorse.scene().boxes.findIndex((box) => box.id === id)] === value),
+[ids, wanted]);
+const whereBox = (page, id) => page.evaluate((wanted) => window.ccmorse.findBox(wanted), id);
+
+const assertNear = (a, b, most = 0.5) => // px
+  assert.ok(Math.hypot(a.x - b.x, a.y - b.y) <= most, `${JSON.stringify(a)} ${JSON.stringify(b)}`);
+
+/** From above, all to be seen, obstacles being changed: by keys only. */
+async function changeFromAbove(page) {
+  await page.keyboard.press("h");
+  await page.keyboard.press("3");
+  await page.keyboard.press("o");
+  const from = await page.evaluate(() => window.ccmorse.frames());
+  await page.waitForFunction((n) => window.ccmorse.frames() > n + 3, from);
+}
+
+async function drag(page, from, to) {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move((from.x + to.x) / 2, (from.y + to.y) / 2);
+  await page.mouse.move(to.x, to.y);
+  await page.mouse.up();
+}
+
+viewOf("N01: a click raises an obstacle, another one lowers it", { robots: ROBOTS }, async (page) => {
+  await changeFromAbove(page);
+  const at = await whereBox(page, 69);
+  await page.mouse.click(at.x, at.y);
+  await becomes(page, [69], UP);
+  assert.equal(await flags(page, 70), 0);
+  await page.mouse.click(at.x, at.y);
+  await becomes(page, [69], 0);
+  await page.keyboard.press("Escape"); // the mode is over: a click changes nothing
+  await page.mouse.click(at.x, at.y);
+  await page.evaluate(() => window.ccmorse.call("arena", "raise", [70]));
+  await becomes(page, [70], UP);
+  assert.equal(await flags(page, 69), 0);
+});
+
+viewOf("N01: a rubber band raises all in it, then lowers them", { robots: ROBOTS }, async (page) => {
+  await changeFromAbove(page);
+  const [a, b, c] = await Promise.all([69, 70, 71].map((id) => whereBox(page, id)));
+  const low = { x: Math.min(a.x, b.x, c.x) - 12, y: Math.min(a.y, b.y, c.y) - 12 };
+  const high = { x: Math.max(a.x, b.x, c.x) + 12, y: Math.max(a.y, b.y, c.y) + 12 };
+  await drag(page, low, high);
+  await becomes(page, [69, 70, 71], UP);
+  assert.equal(await flags(page, 66), 0);
+  assertNear(await whereBox(page, 69), a); // the camera was left alone
+  // The same with Shift, when the mode is over.
+  await page.keyboard.press("o");
+  await page.keyboard.down("Shift");
+  await drag(page, high, low);
+  await page.keyboard.up("Shift");
+  await becomes(page, [69, 70, 71], 0);
+  assert.equal(await page.locator("#band").isVisible(), false);
+});
+
+viewOf("an obstacle that is dragged stands where it was let go; where a robot is in its way it goes back",
+  { robots: ROBOTS, obstacles: { up: [73] } }, async (page) => {
+    await changeFromAbove(page);
+    const from = await whereBox(page, 73);
+    await drag(page, from, { x: from.x + 40, y: from.y });
+    await page.waitForFunction(() => window.ccmorse.frame().moved.length === 1);
+    const moved = await page.evaluate(() => {
+      const { box, x, y } = window.ccmorse.frame().moved[0];
+      return { id: window.ccmorse.scene().boxes[box].id, x, y };
+    });
+    assert.equal(moved.id, 73);
+    assert.ok(moved.x > 2.6 && Math.abs(moved.y - 2.94) < 0.03, JSON.stringify(moved));
+    const there = await whereBox(page, 73);
+    assert.ok(Math.abs(there.x - from.x - 40) < 3, `${from.x} -> ${there.x}`);
+    const robotAt = await page.evaluate(() => window.ccmorse.find(0));
+    await drag(page, there, robotAt);
+    await page.locator("#notice").waitFor();
+    assert.match(await page.textContent("#notice"), /box 73 does not fit there/);
+    assertNear(await whereBox(page, 73), there);
+    // Escape gives a drag up.
+    await page.mouse.move(there.x, there.y);
+    await page.mouse.down();
+    await page.mouse.move(there.x, there.y + 60);
+    assert.ok((await whereBox(page, 73)).y > there.y + 40);
+    await page.keyboard.press("Escape");
+    await page.mouse.up();
+    assertNear(await whereBox(page, 73), there);
+  });
+
+viewOf("an obstacle that cannot come up yet is said to wait", { robots: ROBOTS }, async (page) => {
+  const place = await robot(page);
+  await page.evaluate(({ x, y }) => window.ccmorse.call("arena", "move", [71, x, y]), place);
+  await page.locator("#obstacle-list summary").click();
+  await page.locator("input[name=obstacle-71]").click();
+  await becomes(page, [71], WAITING);
+  assert.match(await page.textContent("#notice"), /A robot stands where 71/);
+  assert.equal(await page.locator("input[name=obstacle-71]").evaluate((box) => box.indeterminate), true);
+  await page.evaluate(() => window.ccmorse.call(
+    "simulation", "set_object_position", ["s1r", [1.654, 2.253, 0], [0, 0, -1.6]]));
+  await becomes(page, [71], UP);
+  assert.equal(await page.locator("input[name=obstacle-71]").isChecked(), true);
+});
+
+viewOf("N02: presets are loaded, saved and downloaded for a scenario",
+  { robots: ROBOTS, obstacles: { presets: { door: [69, 70], maze: [66, 72] } } },
+  async (page, context, folder) => {
+    await page.locator("#preset").selectOption("maze");
+    await page.locator("#preset-load button").click();
+    await becomes(page, [66, 72], UP);
+    assert.equal(await flags(page, 69), 0);
+    await page.locator("#preset").selectOption("door");
+    await page.locator("#preset-load button").click();
+    await becomes(page, [69, 70], UP);
+    await becomes(page, [66, 72], 0);
+    await page.evaluate(() => window.ccmorse.call("arena", "raise", [76]));
+    await page.locator("#preset-name").fill("mine: a door & more");
+    await page.keyboard.press("Enter");
+    await page.locator("#preset option", { hasText: "mine" }).waitFor({ state: "attached" });
+    assert.equal(await page.locator("#preset").inputValue(), "mine: a door & more");
+    const [download] = await Promise.all([
+      page.waitForEvent("download"), page.locator("#preset-download").click()]);
+    assert.equal(download.suggestedFilename(), "obstacles-obstacles.json");
+    const rules = JSON.parse(await readFile(await download.path(), "utf8"));
+    assert.deepEqual(rules, {
+      presets: { door: [69, 70], maze: [66, 72], "mine: a door & more": [69, 70, 76] } });
+    // It is what a scenario takes.
+    const file = join(folder, "again.json");
+    await writeFile(file, JSON.stringify({ obstacles: { ...rules, preset: "mine: a door & more" } }));
+    const again = new Simulator(file);
+    context.after(() => again.stop());
+    await page.goto(await again.address);
+    await page.waitForFunction(() => window.ccmorse?.frame() != null);
+    await becomes(page, [69, 70, 76], UP);
+    assert.equal(await flags(page, 66), 0);
+  });
+
+viewOf("N03, N04: what timers and traps do is in the log", {
+  robots: ROBOTS,
+  obstacles: {
+    timers: [{ at: 0.3, up: [69, 70] }, { at: 0.4, say: "half time" }],
+    traps: [{ name: "gate", region: [0.5, 0.5, 3, 3], down: [70], once: true }],
+  },
+}, async (page) => {
+  await page.locator("#log summary").click();
+  const events = page.locator("#log-lines li.event");
+  await events.nth(1).waitFor();
+  assert.deepEqual(await events.allTextContents(), ["0.0 s: trap gate by s1r: down 70", "0.3 s: timer: up 69, 70"]);
+  // What is said is there once.
+  const said = page.locator("#log-lines li", { hasText: "half time" });
+  await said.first().waitFor();
+  assert.equal(await said.count(), 1);
+  await page.evaluate(() => window.ccmorse.call("arena", "lower", [70])); // of which there is no line
+  await page.evaluate(() => window.ccmorse.call("arena", "add_timer", [{ at: 0, toggle: [76] }]));
+  await events.nth(2).waitFor();
+  assert.match(await events.nth(2).textContent(), /timer: toggle 76$/);
+});
+
+viewOf("a read-only view changes no obstacles", { robots: ROBOTS }, async (page) => {
+  assert.equal(await page.locator("#obstacles").isVisible(), false);
+  await page.keyboard.press("o");
+  assert.match(await page.textContent("#notice"), /read-only/);
+  await page.keyboard.press("h");
+  await page.keyboard.press("3");
+  const at = await whereBox(page, 69);
+  await page.mouse.click(at.x, at.y);
+  const from = await time(page);
+  await page.waitForFunction((t) => window.ccmorse.frame().time > t + 0.3, from);
+  assert.equal(await flags(page, 69), 0);
+}, "--view-read-only");
+
+test("a replay shows where obstacles went, and changes none", async (context) => {
+  const folder = await mkdtemp(join(tmpdir(), "ccmorse-view-"));
+  context.after(() => rm(folder, { recursive: true }));
+  const scenario = join(folder, "path.json");
+  await writeFile(scenario, JSON.stringify({ obstacles: { up: [73], paths: [{ box: 73, points: [
+    { at: 0, x: 2.4, y: 2.94 }, { at: 4, x: 2.6, y: 2.5, yaw_deg: 45 }] }] } }));
+  const file = join(folder, "path.mcap");
+  const made = new Simulator(scenario, "--pace", "max", "--for", "6", "--record", file);
+  await made.ended;
+  const replay = new Program("replay", file, "--view-port", "0");
+  context.after(() => replay.stop());
+  const page = await look(await replay.address);
+  context.after(() => page.close());
+  assert.equal(await page.locator("#obstacles").isVisible(), false);
+  await page.keyboard.press("o");
+  assert.match(await page.textContent("#notice"), /record/);
+  await page.keyboard.press("Space");
+  await page.waitForFunction(() => window.ccmorse.frame().paused);
+  await page.locator("#timeline").fill("5");
+  await page.waitForFunction(() => Math.abs(window.ccmorse.frame().moved[0]?.x - 2.6) < 1e-5);
+  const [end] = await page.evaluate(() => window.ccmorse.frame().moved);
+  assert.ok(Math.abs(end.yaw - Math.PI / 4) < 1e-5, String(end.yaw));
+  await page.locator("#timeline").fill("0");
+  await page.waitForFunction(() => window.ccmorse.frame().moved.length === 0);
+  assert.deepEqual(page.problems, []);
+});
+
+// --- Layers of the canvas
+
+test("the layers of a program's canvas are switched in a list", async (context) => {
+  const simulator = new Simulator("syrotek");
+  context.after(() => simulator.stop());
+  const page = await look(await simulator.address);
+  context.after(() => page.close());
+  assert.equal(await page.locator("#canvas-layers input").count(), 0);
+  const port = /port (\d+)/.exec(simulator.output)[1];
+  const program = spawn(LAYERS, [port, "600"], { stdio: "ignore" });
+  context.after(() => program.kill());
+  const layer = (name) => page.getByRole("checkbox", { name, exact: true });
+  await layer("scan").waitFor();
+  assert.deepEqual(await page.locator("#canvas-layers label").allTextContents(),
+    ["trace", "way back", "scan", "inflated obstacles", "map"]); // the topmost first
+  // Cells of the scan's green over what is free.
+  const green = () => page.evaluate(() => {
+    const map = document.getElementById("map");
+    const copy = new OffscreenCanvas(map.width, map.height).getContext("2d", { willReadFrequently: true });
+    copy.drawImage(map, 0, 0);
+    const { data } = copy.getImageData(0, 0, map.width, map.height);
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i + 1] === 255 && data[i] < 255 && data[i] === data[i + 2]) ++count;
+    }
+    return count;
+  });
+  const until = async (good) => {
+    const end = Date.now() + LONG;
+    while (!good(await green())) {
+      assert.ok(Date.now() < end, `${await green()} green cells`);
+      await page.waitForTimeout(100);
+    }
+  };
+  await until((count) => count > 500);
+  await layer("scan").focus(); // by keyboard
+  await page.keyboard.press("Space");
+  await until((count) => count === 0);
+  assert.equal(await layer("scan").isChecked(), false);
+  assert.equal(await layer("scan").evaluate((box) => box === document.activeElement), true);
+  await page.reload(); // the simulator knows it
+  await layer("scan").waitFor();
+  assert.equal(await layer("scan").isChecked(), false);
+  assert.equal(await layer("trace").isChecked(), true);
+  await layer("scan").click();
+  await until((count) => count > 500);
+  assert.deepEqual(page.problems, []);
+});
+
+view("a read-only view shows the layers of the canvas and switches none", "syrotek", async (page) => {
+  const refused = await page.evaluate(() =>
+    window.ccmorse.call("s1r.pen", "set_layers", [[["base", 0, true]]]).then(() => "", (error) => error.message));
+  assert.equal(refused, "this view is read-only");
+  assert.deepEqual(await page.evaluate(() => window.ccmorse.call("s1r.pen", "get_layers", [])), []);
+}, {}, "--view-read-only");
 
 view("? lists the keys, and Escape closes the list", "syrotek", async (page) => {
   await page.keyboard.press("?");

@@ -1,15 +1,8 @@
 import { element } from "./page";
+import { save } from "./save";
 
 const FRAMES_PER_SECOND = 30;
 const FILMS = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"];
-
-function save(blob: Blob, name: string): void {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-}
 
 /** Saves what is shown as a picture (PNG) or films it (WebM). */
 export class Export {

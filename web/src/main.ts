@@ -1,7 +1,9 @@
+import { CanvasLayers } from "./canvas_layers";
 import { Connection, type LinkState } from "./connection";
 import { Devices } from "./devices";
 import { Export } from "./export";
 import { LogView } from "./log_view";
+import { Obstacles } from "./obstacles";
 import { Pad } from "./pad";
 import { element } from "./page";
 import { Plots } from "./plots";
@@ -272,6 +274,8 @@ addEventListener("keydown", (event) => {
     if (scene?.record != null) return timeBar.toggle();
     held.clear();
     drive();
+  } else if (event.key === "Escape") {
+    obstacles.escape();
   } else if (event.key === "?") {
     showHelp();
   } else if (SHORTCUTS[event.key] !== undefined) {
@@ -293,6 +297,7 @@ const SHORTCUTS: Record<string, () => void> = {
   l: () => timeBar.seekBy(SEEK_STEP),
   p: () => files.picture(),
   v: () => files.film(),
+  o: () => obstacles.toggle(),
 };
 
 addEventListener("keyup", (event) => {
@@ -302,16 +307,28 @@ addEventListener("keyup", (event) => {
 });
 addEventListener("blur", stop);
 
-// --- Mouse and touch: drag a robot, or send it somewhere
+// --- Mouse and touch: obstacles, drag a robot, or send it somewhere
+
+function sendTo(x: number, y: number): void {
+  const place = stage.floorAt(x, y);
+  if (place === null) return;
+  call(deviceOf(chosen, "Waypoint"), "goto", [place.x, place.y, 0, 0.05, 0.2]);
+}
+
+const obstacles = new Obstacles(
+  stage, (service, args) => connection.call("arena", service, args), notice, sendTo);
 
 let dragged = -1;
 stageCanvas.addEventListener("pointerdown", (event) => {
-  if (event.button !== 0) return;
-  if (event.shiftKey) {
-    const place = stage.floorAt(event.clientX, event.clientY);
-    if (place !== null) {
-      call(deviceOf(chosen, "Waypoint"), "goto", [place.x, place.y, 0, 0.05, 0.2]);
+  if (event.button !== 0 || !event.isPrimary) return;
+  if (event.shiftKey || stage.robotAt(event.clientX, event.clientY) < 0) {
+    if (obstacles.down(event)) {
+      stageCanvas.setPointerCapture(event.pointerId);
+      return;
     }
+  }
+  if (event.shiftKey) {
+    sendTo(event.clientX, event.clientY);
     return;
   }
   const robot = stage.robotAt(event.clientX, event.clientY);
@@ -322,7 +339,12 @@ stageCanvas.addEventListener("pointerdown", (event) => {
   stage.setControls(false);
   stageCanvas.setPointerCapture(event.pointerId);
 });
+stageCanvas.addEventListener("pointermove", (event) => {
+  if (event.isPrimary) obstacles.move(event);
+});
+stageCanvas.addEventListener("pointercancel", () => obstacles.cancel());
 stageCanvas.addEventListener("pointerup", (event) => {
+  if (event.isPrimary && obstacles.up(event)) return;
   if (dragged < 0) return;
   const robot = scene?.robots[dragged];
   const from = frame?.robots[dragged];
@@ -366,7 +388,11 @@ element("reset").onclick = () => call("simulation", "reset_objects", []);
 const ask = (component: string, service: string) => connection.call(component, service, []);
 const plots = new Plots(ask);
 const devices = new Devices(ask);
-const log = new LogView((args) => connection.call("ccmorse", "log", args));
+const log = new LogView(
+  (args) => connection.call("ccmorse", "log", args),
+  (args) => connection.call("arena", "events", args));
+const canvasLayers = new CanvasLayers(
+  (component, service, args) => connection.call(component, service, args), notice);
 const files = new Export(
   () => (mode === "fullscreen" ? map : stageCanvas),
   () => `${scene?.scene ?? "ccmorse"}-${(frame?.time ?? 0).toFixed(1)}s`,
@@ -427,6 +453,8 @@ const connection = new Connection({
     stage.setScene(sent);
     listRobots(sent);
     devices.setScene(sent);
+    canvasLayers.setScene(sent);
+    obstacles.setScene(sent);
     pad.allow(mayDrive());
     element("drive-hint").textContent = DRIVE_HINTS[
       sent.record !== null ? "record" : sent.read_only ? "look" : "drive"];
@@ -448,6 +476,9 @@ const connection = new Connection({
     showStates(sent);
     timeBar.show(sent);
     plots.show(sent);
+    canvasLayers.showFrame(sent);
+    obstacles.showFrame(sent);
+    log.setEvents(mayDrive() ? sent.arenaEvents : 0);
   },
   state(state) {
     const link = element("link");
@@ -469,6 +500,7 @@ declare global {
       scene(): Scene | null;
       frame(): Frame | null;
       find(robot: number): { x: number; y: number };
+      findBox(id: number): { x: number; y: number } | null;
       look(from: Point, at: Point): void;
       call(component: string, service: string, args: unknown[]): Promise<unknown>;
     };
@@ -481,6 +513,10 @@ window.ccmorse = {
   scene: () => scene,
   frame: () => frame,
   find: (robot) => stage.find(robot),
+  findBox: (id) => {
+    const place = stage.boxPlace(scene?.boxes.findIndex((box) => box.id === id) ?? -1);
+    return place === null ? null : stage.placeOf(place);
+  },
   look: (from, at) => stage.look(from, at),
   call: (component, service, args) => connection.call(component, service, args),
 };

@@ -106,16 +106,29 @@ export interface CanvasRow {
   rgba: Uint8Array;
 }
 
+export const BOX_UP = 1;
+export const BOX_WAITING = 2; // it comes up as soon as no robot stands there
+
+export interface MovedBox {
+  box: number; // its place in the scene
+  x: number;
+  y: number;
+  yaw: number;
+}
+
 export interface Frame {
   paused: boolean;
   time: number; // s, simulated
   rate: number; // simulated seconds per second, measured
   speed: number; // wanted; Infinity: as many as can be
   robots: RobotState[];
-  raised: Uint8Array; // one a box
+  boxes: Uint8Array; // one a box: BOX_UP, BOX_WAITING
+  moved: MovedBox[]; // those that are elsewhere than in the scene
+  arenaEvents: number; // so far
   scans: Scan[];
   canvasWidth: number; // cells
   canvasHeight: number;
+  canvasLayers: number; // changes with the list of layers; 0 while there was none
   rows: CanvasRow[]; // those that have changed
 }
 
@@ -143,10 +156,15 @@ export function readFrame(buffer: ArrayBuffer): Frame {
       stalled: word() === 1,
     });
   }
-  const boxes = word();
-  const raised = new Uint8Array(buffer, at, boxes);
-  at += boxes;
+  const boxCount = word();
+  const boxes = new Uint8Array(buffer, at, boxCount);
+  at += boxCount;
   pad();
+  const moved: MovedBox[] = [];
+  for (let left = word(); left > 0; --left) {
+    moved.push({ box: word(), x: single(), y: single(), yaw: single() });
+  }
+  const arenaEvents = word();
   const scans: Scan[] = [];
   for (let left = word(); left > 0; --left) {
     const sensor = word();
@@ -157,11 +175,15 @@ export function readFrame(buffer: ArrayBuffer): Frame {
   }
   const canvasWidth = word();
   const canvasHeight = word();
+  const canvasLayers = word();
   const rows: CanvasRow[] = [];
   for (let left = word(); left > 0; --left) {
     const y = word();
     rows.push({ y, rgba: new Uint8Array(buffer, at, 4 * canvasWidth) });
     at += 4 * canvasWidth;
   }
-  return { paused, time, rate, speed, robots, raised, scans, canvasWidth, canvasHeight, rows };
+  return {
+    paused, time, rate, speed, robots, boxes, moved, arenaEvents, scans,
+    canvasWidth, canvasHeight, canvasLayers, rows,
+  };
 }

@@ -1,7 +1,9 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
+import { Boxes } from "./boxes";
 import type { Frame, Laser, Robot, RobotState, Scene } from "./protocol";
+import { type Quality, prism, surface } from "./shapes";
 
 export type CameraKind = "orbit" | "follow" | "top" | "robot";
 
@@ -24,9 +26,6 @@ const WIDE = 1.5; // times as wide as high, or more
 const WIDEST = 80; // degrees
 const SLAB_COLOR = 0x5c636b; // beneath the floor
 
-/** How much the picture may cost. */
-type Quality = "high" | "low";
-
 // Low where a processor has to draw, and where the page's address says ?quality=low.
 function chooseQuality(): Quality {
   const asked = new URLSearchParams(location.search).get("quality");
@@ -36,21 +35,6 @@ function chooseQuality(): Quality {
   const name = info ? String(context?.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
   context?.getExtension("WEBGL_lose_context")?.loseContext();
   return /swiftshader|llvmpipe|software/i.test(name) ? "low" : "high";
-}
-
-function prism(outline: [number, number][], bottom: number, top: number): THREE.BufferGeometry {
-  const shape = new THREE.Shape(outline.map(([x, y]) => new THREE.Vector2(x, y)));
-  const bevel = Math.min(0.004, (top - bottom) / 4);
-  const geometry = new THREE.ExtrudeGeometry(shape, {
-    depth: top - bottom - 2 * bevel,
-    bevelEnabled: true,
-    bevelThickness: bevel,
-    bevelSize: bevel,
-    bevelOffset: -bevel,
-    bevelSegments: 2,
-  });
-  geometry.translate(0, 0, bottom + bevel);
-  return geometry;
 }
 
 /** A filled fan that a sensor sees, one triangle between two neighbouring beams. */
@@ -158,12 +142,6 @@ function nameTag(text: string): THREE.Sprite {
   sprite.scale.set((height * canvas.width) / canvas.height, height, 1);
   sprite.renderOrder = 5;
   return sprite;
-}
-
-// Physically based where the picture may cost, else plain diffuse.
-function surface(quality: Quality, options: THREE.MeshStandardMaterialParameters): THREE.Material {
-  if (quality === "high") return new THREE.MeshStandardMaterial(options);
-  return new THREE.MeshLambertMaterial({ color: options.color, side: options.side ?? THREE.FrontSide });
 }
 
 class RobotModel {
@@ -279,7 +257,8 @@ export class Stage {
   private content = new THREE.Group();
   private scene: Scene | null = null;
   private robots: RobotModel[] = [];
-  private boxes: THREE.Mesh[] = [];
+  private boxes = new Boxes([], "low");
+  private editing = false;
   private canvasPixels: Uint8Array = new Uint8Array(4);
   private canvasTexture: THREE.DataTexture | null = null;
   private canvasPlane: THREE.Mesh<THREE.PlaneGeometry, THREE.MeshBasicMaterial> | null = null;
@@ -330,33 +309,14 @@ export class Stage {
     this.world.remove(this.content);
     this.content = new THREE.Group();
     this.robots = [];
-    this.boxes = [];
     this.canvasTexture = null;
     this.canvasPlane = null;
     this.lastTime = 0;
     this.addFloor(scene);
     this.addLights(scene);
-    for (const box of scene.boxes) {
-      const mesh = new THREE.Mesh(
-        prism(
-          [
-            [-box.size_x / 2, -box.size_y / 2],
-            [box.size_x / 2, -box.size_y / 2],
-            [box.size_x / 2, box.size_y / 2],
-            [-box.size_x / 2, box.size_y / 2],
-          ],
-          0,
-          box.height,
-        ),
-        surface(this.quality, { color: box.color, roughness: 0.72 }),
-      );
-      mesh.position.set(box.x, box.y, 0);
-      mesh.rotation.z = box.yaw;
-      mesh.castShadow = true;
-      mesh.receiveShadow = true;
-      this.boxes.push(mesh);
-      this.content.add(mesh);
-    }
+    this.boxes = new Boxes(scene.boxes, this.quality);
+    this.boxes.setEditing(this.editing);
+    this.content.add(this.boxes.group);
     for (const mesh of scene.meshes) {
       const geometry = new THREE.BufferGeometry();
       geometry.setAttribute("position", new THREE.Float32BufferAttribute(mesh.vertices.flat(), 3));
@@ -409,10 +369,7 @@ export class Stage {
     this.lastTime = frame.time;
     this.states = frame.robots;
     frame.robots.forEach((state, i) => this.robots[i]?.show(state, seconds, this.layers));
-    frame.raised.forEach((raised, i) => {
-      const box = this.boxes[i];
-      if (box !== undefined) box.visible = raised === 1;
-    });
+    this.boxes.show(frame);
     for (const scan of frame.scans) {
       const laser: Laser | undefined = this.scene.lasers[scan.sensor];
       if (laser !== undefined) {
@@ -488,16 +445,48 @@ export class Stage {
 
   /** Where a robot is on the page. */
   find(robot: number): { x: number; y: number } {
-    const box = this.canvas.getBoundingClientRect();
     const model = this.robots[robot];
     const at = new THREE.Vector3(0, 0, (model?.robot.height ?? 0) / 2);
-    if (model !== undefined) at.add(model.group.position);
+    return this.placeOf(model === undefined ? at : at.add(model.group.position));
+  }
+
+  /** Where a point, m, is on the page. */
+  placeOf(point: THREE.Vector3): { x: number; y: number } {
+    const box = this.canvas.getBoundingClientRect();
     this.camera.updateMatrixWorld();
-    at.project(this.camera);
+    const at = point.clone().project(this.camera);
     return {
       x: box.left + ((at.x + 1) / 2) * box.width,
       y: box.top + ((1 - at.y) / 2) * box.height,
     };
+  }
+
+  // --- Dynamic boxes, by their place in the scene
+
+  /** Whether they are to be changed: then those that are down are to be seen, too. */
+  setEditing(on: boolean): void {
+    this.editing = on;
+    this.boxes.setEditing(on);
+  }
+
+  /** The one under a place of the page, up or, while they are changed, down; -1 for none. */
+  boxAt(x: number, y: number): number {
+    return this.boxes.at(this.ray(x, y));
+  }
+
+  /** Where the middle of a box is on the floor, m. */
+  boxPlace(box: number): THREE.Vector3 | null {
+    return this.boxes.place(box);
+  }
+
+  /** Shows a box at another place than the simulator says, until the next frame after letGoOfBox(). */
+  holdBox(box: number, x: number, y: number): void {
+    this.boxes.hold(box, x, y);
+  }
+
+  /** `back`: at once to where the simulator has it. */
+  letGoOfBox(back: boolean): void {
+    this.boxes.letGo(back);
   }
 
   /** The point of the floor under a place of the page. */

@@ -158,6 +158,10 @@ struct MorseClient::Impl {
   struct Round {
     std::shared_ptr<Batch> batch;
     std::vector<MorseDevice*> devices;
+    // Of AskWithRead(). Their answers come before the read's: in a batch of their own over a fast
+    // link, else first in `batch`.
+    std::vector<std::function<void(const MorseValue&)>> takers;
+    std::shared_ptr<Batch> asked;
   };
 
   const std::string host;
@@ -181,6 +185,8 @@ struct MorseClient::Impl {
   std::mutex read_mutex;              // held for a whole Read()
   std::shared_ptr<Round> unfinished;  // under read_mutex: a Read() that was abandoned
   std::vector<std::shared_ptr<MorseSubscription>> deliveries;  // under read_mutex: scratch
+  // What AskWithRead() is answered, under read_mutex: scratch.
+  std::vector<std::pair<std::function<void(const MorseValue&)>, MorseValue>> answers;
   // Of a fast link, under read_mutex.
   std::shared_ptr<Round> fast_round;
   std::vector<wire::DataForm> forms;  // of the devices, as the server knows them
@@ -200,6 +206,8 @@ struct MorseClient::Impl {
 
   std::mutex prepare_mutex;
   std::vector<std::weak_ptr<std::function<void()>>> prepare;
+  std::vector<core::Request> questions;                        // of AskWithRead()
+  std::vector<std::function<void(const MorseValue&)>> takers;  // of the same
 
   std::mutex thread_mutex;  // thread
   std::thread thread;
@@ -221,6 +229,38 @@ struct MorseClient::Impl {
     }
   }
 
+  // What AskWithRead() has collected.
+  std::vector<core::Request> TakeQuestions(Round& round) {
+    const std::lock_guard lock(prepare_mutex);
+    round.takers = std::exchange(takers, {});
+    return std::exchange(questions, {});
+  }
+
+  // Of a read that is over: whom to hand which answer.
+  void CollectAnswers(Round& round) {
+    const std::vector<Reply>* replies = &round.batch->replies;
+    if (round.asked) {
+      replies = &round.asked->replies;
+      // They have come before the read's answer; else they are given up.
+      Connection::Patience patience;
+      patience.silence = 0.001;
+      try {
+        if (connection.Wait(round.asked, patience, kReadFunction) != Connection::Outcome::kDone) {
+          round.takers.clear();
+        }
+      } catch (const MorseError&) {
+        round.takers.clear();  // the next Read() reports a lost connection
+      }
+    }
+    for (std::size_t i = 0; i < round.takers.size(); ++i) {
+      const Reply& reply = (*replies)[i];
+      if (!reply.success) continue;
+      if (auto value = ValueOf(reply)) answers.emplace_back(round.takers[i], std::move(*value));
+    }
+    round.takers.clear();
+    round.asked.reset();
+  }
+
   // --- The two ways to read; the read_mutex is held.
 
   using Due = std::vector<std::shared_ptr<MorseSubscription>>;
@@ -228,7 +268,7 @@ struct MorseClient::Impl {
   // JSON: one query a device.
   std::shared_ptr<Round> SendQueries() {
     auto round = std::make_shared<Round>();
-    std::vector<core::Request> requests;
+    std::vector<core::Request> requests = TakeQuestions(*round);
     if (ccmorse) requests.push_back({"ccmorse", "read", ""});
     {
       const std::lock_guard lock(data_mutex);
@@ -240,7 +280,7 @@ struct MorseClient::Impl {
       requests.push_back({device->GetName(), "get_local_data", ""});
     }
     // Plain MORSE with nothing to ask: its clock paces the loop.
-    if (requests.empty()) requests.push_back({"time", "now", ""});
+    if (!ccmorse && round->devices.empty()) requests.push_back({"time", "now", ""});
     round->batch = connection.Send(requests);
     return round;
   }
@@ -248,7 +288,8 @@ struct MorseClient::Impl {
   void TakeAnswers(const Round& round, std::optional<MorseError>& error, Due& due) {
     // The texts are parsed before the data are locked.
     const std::vector<Reply>& replies = round.batch->replies;
-    const std::size_t first = ccmorse ? 1 : 0;
+    const std::size_t read = round.takers.size();
+    const std::size_t first = read + (ccmorse ? 1 : 0);
     std::vector<std::optional<MorseValue>> values;
     for (std::size_t i = 0; i < round.devices.size(); ++i) {
       const Reply& reply = replies[first + i];
@@ -256,13 +297,13 @@ struct MorseClient::Impl {
     }
     double now = std::numeric_limits<double>::quiet_NaN();
     if (ccmorse) {
-      if (replies[0].success) {
-        now = ValueOf(replies[0]).value_or(MorseValue()).GetDouble("time", now);
+      if (replies[read].success) {
+        now = ValueOf(replies[read]).value_or(MorseValue()).GetDouble("time", now);
       } else {
-        error.emplace(ReadError(replies[0].text));
+        error.emplace(ReadError(replies[read].text));
       }
-    } else if (round.devices.empty() && replies[0].success) {
-      now = ValueOf(replies[0]).value_or(MorseValue()).GetDouble("", now);
+    } else if (round.devices.empty() && replies[read].success) {
+      now = ValueOf(replies[read]).value_or(MorseValue()).GetDouble("", now);
     }
 
     const std::lock_guard lock(data_mutex);
@@ -294,6 +335,8 @@ struct MorseClient::Impl {
         changes.push_back({static_cast<std::uint16_t>(i), form, &devices[i]->GetName()});
       }
     }
+    const std::vector<core::Request> requests = TakeQuestions(*fast_round);
+    if (!requests.empty()) fast_round->asked = connection.Send(requests);
     connection.SendRead(changes, fast_round->batch);
     return fast_round;
   }
@@ -565,12 +608,15 @@ void MorseClient::ReadOnce(bool may_abandon) {
     impl.TakeAnswers(*round, error, due);
   }
   std::erase_if(due, [](const auto& subscription) { return !subscription->deliver(); });
+  impl.CollectAnswers(*round);
+  const auto answers = std::exchange(impl.answers, {});
   const Impl::Due signalled = due;
   due.clear();
   leave(true);
   const std::optional<core::Refusal> refusal = impl.connection.TakeRefusal();
   read_lock.unlock();
   for (const auto& subscription : signalled) subscription->signal();
+  for (const auto& [take, value] : answers) take(value);
 
   if (!error && refusal) {
     error.emplace("the simulator refused " + refusal->component + " " + refusal->service + ": " +
@@ -825,6 +871,13 @@ void MorseClient::Fetch(const std::string& device, bool text) {
   } catch (const MorseError&) {
     // What there was stays; the next Read() reports a lost connection.
   }
+}
+
+void MorseClient::AskWithRead(const std::string& component, const std::string& service,
+                              std::function<void(const MorseValue&)> take) {
+  const std::lock_guard lock(impl_->prepare_mutex);
+  impl_->questions.push_back({component, service, ""});
+  impl_->takers.push_back(std::move(take));
 }
 
 bool MorseClient::QueueNumbers(const std::string& component, const std::string& service,

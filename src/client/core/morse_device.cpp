@@ -174,6 +174,10 @@ bool MorseDevice::CommandPixels(const char* service, const PixelUpdate_t* pixels
   return info_.client->QueuePixels(info_.name, service, pixels, count);
 }
 
+void MorseDevice::AskWithRead(const char* service, std::function<void(const MorseValue&)> take) {
+  info_.client->AskWithRead(info_.name, service, std::move(take));
+}
+
 void MorseDevice::Accept(const MorseValue& data) {
   if (!data.IsObject()) return;
   const double timestamp = data.GetDouble("timestamp", std::numeric_limits<double>::quiet_NaN());

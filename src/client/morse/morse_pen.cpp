@@ -16,6 +16,8 @@ const bool kRegistered = RegisterMorseDevice({{"pen"}, {"Pen"}, [](const MorseDe
 constexpr int kFarthestCell = 1000000000;
 // Cells of one line of text: each has at most 41 characters, and a line 1 MiB.
 constexpr std::size_t kMostListed = 25000;
+// Cells of one line of a whole image: 17 characters each.
+constexpr std::size_t kMostInImage = 60000;
 
 ImagePoint_t Held(ImagePoint_t at) {
   return {std::clamp(at.x, -kFarthestCell, kFarthestCell),
@@ -32,6 +34,16 @@ int Cell(double coordinate, double size, int count) {
   const double cell = std::floor(coordinate / size);
   if (!(cell > 0.0)) return 0;
   return cell < count ? static_cast<int>(cell) : count - 1;
+}
+
+std::vector<CanvasLayer_t> LayersOf(const MorseValue& answer) {
+  std::vector<CanvasLayer_t> layers;
+  for (std::size_t i = 0; i < answer.GetSize(); ++i) {
+    const MorseValue layer = answer.At(i);
+    layers.push_back({layer.GetString("0"), layer.GetInt("1"), layer.GetBool("2", true),
+                      layer.GetBool("3", true)});
+  }
+  return layers;
 }
 
 }  // namespace
@@ -100,7 +112,18 @@ void MorsePen::SetImageData(const std::vector<Color_t>& image) {
                        "MorsePen::SetImageData()");
     }
   }
-  if (CommandImage("set_image_data", GetWidth(), GetHeight(), image)) return;
+  const int width = GetWidth();
+  if (CommandImage("set_image_data", width, GetHeight(), image)) return;
+  if (image.size() > kMostInImage) {
+    std::vector<PixelUpdate_t> cells;
+    cells.reserve(image.size());
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      const int at = static_cast<int>(i);
+      cells.push_back({{at % width, at / width}, image[i]});
+    }
+    UpdateImageData(cells);
+    return;
+  }
   MorseArgs pixels;
   for (const Color_t& color : image) {
     pixels.Add(MorseArgs(int{color.r}, int{color.g}, int{color.b}));
@@ -127,6 +150,29 @@ void MorsePen::UpdateImageData(const std::vector<PixelUpdate_t>& pixels) {
 
 void MorsePen::SaveImageCopy(const std::string& name) {
   Request("save_image_copy", MorseArgs(name));
+}
+
+void MorsePen::SetLayers(const std::vector<CanvasLayer_t>& layers) {
+  if (!HasService("set_layers")) return;
+  MorseArgs list;
+  for (const CanvasLayer_t& layer : layers) {
+    list.Add(MorseArgs(layer.name, layer.priority, layer.visible));
+  }
+  Command("set_layers", MorseArgs().Add(list));
+}
+
+void MorsePen::ShowLayer(const std::string& name, bool shown) {
+  if (HasService("show_layer")) Command("show_layer", MorseArgs(name, shown));
+}
+
+std::vector<CanvasLayer_t> MorsePen::GetLayers() {
+  if (!HasService("get_layers")) return {};
+  return LayersOf(Request("get_layers"));
+}
+
+void MorsePen::AskLayers(const std::function<void(const std::vector<CanvasLayer_t>&)>& take) {
+  if (!HasService("get_layers")) return;
+  AskWithRead("get_layers", [take](const MorseValue& answer) { take(LayersOf(answer)); });
 }
 
 void MorsePen::ResizeCanvas(int width, int height) {

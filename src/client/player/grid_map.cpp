@@ -80,6 +80,7 @@ void GridMap::SetPriority(int priority) {
   if (priority_ == priority) return;
   priority_ = priority;
   layers_.Order();
+  layers_.list_changed_ = true;
   ShowAgain();
 }
 
@@ -92,12 +93,18 @@ void GridMap::SetVisible(bool visible) {
   const std::lock_guard lock(layers_.mutex_);
   if (visible_ == visible) return;
   visible_ = visible;
+  layers_.list_changed_ = true;
   ShowAgain();
 }
 
 bool GridMap::IsVisible() const {
   const std::lock_guard lock(layers_.mutex_);
   return visible_;
+}
+
+bool GridMap::IsShown() const {
+  const std::lock_guard lock(layers_.mutex_);
+  return shown_;
 }
 
 int GridMap::GetWidth() const {

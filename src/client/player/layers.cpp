@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "libCCMorse/MorseClient.h"
 #include "libCCMorse/MorseError.h"
 
 namespace CCMorse {
@@ -11,6 +12,9 @@ namespace CCMorse {
 namespace {
 
 constexpr Color_t kWhite{255, 255, 255};
+constexpr double kQuestionPeriod = 1.0;      // s, simulated
+constexpr std::size_t kMostListed = 256;     // layers, of the simulator's list
+constexpr std::size_t kLongestListed = 100;  // bytes of a name there
 
 // A layer as it is looked at from above.
 struct Sheet {
@@ -62,6 +66,7 @@ GridMap& Layers::Add(const std::string& name) {
   GridMap& added = *map;
   maps_.push_back(std::move(map));
   Order();
+  list_changed_ = true;
   return added;
 }
 
@@ -82,6 +87,7 @@ void Layers::Remove(const std::string& name) {
   }
   MarkUnclear(**found);
   maps_.erase(found);
+  list_changed_ = true;
 }
 
 std::vector<std::string> Layers::Names() const {
@@ -114,7 +120,7 @@ void Layers::Compose() {
   std::vector<Sheet> sheets;
   for (auto map = maps_.rbegin(); map != maps_.rend(); ++map) {
     const GridMap& layer = **map;
-    if (!layer.visible_ || layer.transparency_ == 1.0) continue;
+    if (!layer.visible_ || !layer.shown_ || layer.transparency_ == 1.0) continue;
     sheets.push_back({layer.cells_.data(), Pack(layer.color_),
                       layer.key_ ? kColored | Pack(*layer.key_) : 0, 1.0 - layer.transparency_});
   }
@@ -133,6 +139,45 @@ void Layers::Compose() {
         {{static_cast<int>(at % across), static_cast<int>(at / across)}, Unpack(cell)});
   }
   pen_.UpdateImageData(changes_);
+}
+
+void Layers::Ask() {
+  const std::lock_guard lock(mutex_);
+  if (list_changed_) SendList();
+  const double now = pen_.GetClient().GetTime();
+  if (maps_.empty() || now < next_question_) return;
+  next_question_ = now + kQuestionPeriod;
+  pen_.AskLayers([weak = weak_from_this()](const std::vector<CanvasLayer_t>& list) {
+    if (const auto layers = weak.lock()) layers->Switch(list);
+  });
+}
+
+void Layers::Retire() {
+  const std::lock_guard lock(mutex_);
+  if (!maps_.empty()) pen_.SetLayers({});
+}
+
+void Layers::SendList() {
+  list_changed_ = false;
+  std::vector<CanvasLayer_t> list;
+  for (const auto& map : maps_) {
+    // What the list has no room for is drawn all the same.
+    if (map->name_.empty() || map->name_.size() > kLongestListed) continue;
+    if (list.size() < kMostListed) list.push_back({map->name_, map->priority_, map->visible_});
+  }
+  pen_.SetLayers(list);
+}
+
+void Layers::Switch(const std::vector<CanvasLayer_t>& list) {
+  const std::lock_guard lock(mutex_);
+  for (const auto& map : maps_) {
+    const auto named = std::find_if(list.begin(), list.end(), [&](const CanvasLayer_t& layer) {
+      return layer.name == map->name_;
+    });
+    if (named == list.end() || named->shown == map->shown_) continue;
+    map->shown_ = named->shown;
+    MarkUnclear(*map);
+  }
 }
 
 void Layers::Order() {

@@ -13,9 +13,10 @@
 namespace CCMorse {
 
 /// The layers of a window, and what they make together (thesis 4.2.2). Whoever changes a cell marks
-/// it; Compose() works the marked ones out and sends those whose colour is another than before.
-/// Any thread.
-class Layers {
+/// it; Compose() works the marked ones out and sends those whose colour is another than before. The
+/// simulator is told the list of layers whenever it changes, and asked once a simulated second
+/// which of them people have switched off in its view (docs/canvas.md). Any thread.
+class Layers : public std::enable_shared_from_this<Layers> {
  public:
   /// How a cell of a layer is kept: 0 is clear; the lowest 24 bits are a colour, 0xRRGGBB.
   static constexpr std::uint32_t kColored = 1U << 24U;  ///< a colour of its own
@@ -42,6 +43,11 @@ class Layers {
   void Compose();
   /// Has all cells sent again with the next Compose().
   void SendAll();
+  /// To be called before each read: queues the list if it has changed, and has the read ask for the
+  /// switches when it is time to.
+  void Ask();
+  /// Queues an empty list: there is nothing left to be switched.
+  void Retire();
 
  private:
   friend class GridMap;
@@ -53,6 +59,8 @@ class Layers {
     any_marked_ = true;
   }
   void MarkUnclear(const GridMap& map);  // all cells that are not clear in it
+  void SendList();
+  void Switch(const std::vector<CanvasLayer_t>& list);
 
   MorsePen& pen_;
   mutable std::mutex mutex_;  // guards the maps, too
@@ -61,6 +69,8 @@ class Layers {
   std::vector<std::unique_ptr<GridMap>> maps_;  // from the lowest to the topmost
   std::uint64_t made_ = 0;                      // maps so far
   bool any_marked_ = false;
+  bool list_changed_ = false;
+  double next_question_ = 0.0;          // s, simulated
   std::vector<unsigned char> marked_;   // by cell
   std::vector<std::uint32_t> sent_;     // by cell: kColored and a colour; 0 when never drawn
   std::vector<PixelUpdate_t> changes_;  // scratch

@@ -36,7 +36,10 @@ WindowProxy::WindowProxy(PlayerClient* client, MorsePen& pen)
       pen_(&pen),
       layers_(std::make_shared<Layers>(pen)) {
   // Held by the call: it may be on its way when the window goes.
-  before_read_ = pen.GetClient().BeforeRead([layers = layers_] { layers->Compose(); });
+  before_read_ = pen.GetClient().BeforeRead([layers = layers_] {
+    layers->Compose();
+    layers->Ask();
+  });
 }
 
 WindowProxy& WindowProxy::GetInstance(PlayerClient* client, int width, int height) {
@@ -70,6 +73,7 @@ WindowProxy& WindowProxy::GetInstance() {
 WindowProxy::~WindowProxy() {
   before_read_.reset();
   layers_->Compose();  // what was drawn last is seen, too
+  layers_->Retire();
   Single& single = TheSingle();
   const std::lock_guard lock(single.mutex);
   if (single.window == this) single.window = nullptr;

@@ -1,6 +1,8 @@
 #include "servers/morse/arena_services.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -72,10 +74,16 @@ Json List(const sim::Simulation& simulation) {
   return Json(std::move(boxes));
 }
 
-Json Events(const sim::ArenaController& arena) {
+// With higher numbers than `after`; the first that ever happened has 1.
+Json Events(const sim::ArenaController& arena, int after) {
   Json::Array events;
+  std::uint64_t number = arena.event_count() - arena.events().size();
   for (const auto& [time, cause, what] : arena.events()) {
-    events.emplace_back(Json::Object{{"time", time}, {"cause", cause}, {"what", what}});
+    if (++number <= static_cast<std::uint64_t>(after)) continue;
+    events.emplace_back(Json::Object{{"number", static_cast<std::int64_t>(number)},
+                                     {"time", time},
+                                     {"cause", cause},
+                                     {"what", what}});
   }
   return Json(std::move(events));
 }
@@ -153,7 +161,13 @@ std::vector<Service> ArenaServices(sim::Simulation& simulation) {
   add_rule("add_timer", "timer", scene::ReadTimer,
            [&arena] { return arena.rules().timers.size(); });
   add_rule("add_trap", "trap", scene::ReadTrap, [&arena] { return arena.rules().traps.size(); });
-  add_query("events", [&arena](Arguments) { return Events(arena); });
+  add_query("events", [&arena](Arguments arguments) {
+    const int after = arguments.empty() ? 0
+                                        : sim::IntegerArgument(arguments, 0, "after", 0,
+                                                               std::numeric_limits<int>::max());
+    return Events(arena, after);
+  });
+  services.back().parameters = {{"after", true}};
   return services;
 }
 

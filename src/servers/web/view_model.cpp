@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::uint32_t kFrame = 1;  // the kind of message
 constexpr double kSteps = 65535.0;   // a range is a part of the sensor's range in 16 bits
+// Of a box.
+constexpr unsigned kUp = 1;
+constexpr unsigned kWaiting = 2;
 
 // Little endian, as the browser's typed arrays are.
 class FrameWriter {
@@ -70,11 +73,16 @@ ViewModel::ViewModel(const sim::Simulation& simulation) : simulation_(simulation
       }
     }
   }
+  const auto& boxes = simulation.scenario().world.boxes;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (boxes[i].dynamic) dynamic_.push_back(i);
+  }
 }
 
 std::string ViewModel::Scene(const Json& more) const {
   const scene::Scenario& scenario = simulation_.scenario();
-  const scene::World& world = simulation_.world().scene();
+  // As the run began: what has changed since comes with each frame.
+  const scene::World& world = scenario.world;
   Json::Array boxes;
   for (const scene::Box& box : world.boxes) {
     boxes.push_back(Json::Object{{"id", box.id},
@@ -209,8 +217,28 @@ std::string ViewModel::Frame(Seen& seen, double rate, const TimeState& time) {
   }
   const auto& boxes = simulation_.world().scene().boxes;
   out.Word(static_cast<std::uint32_t>(boxes.size()));
-  for (const scene::Box& box : boxes) out.Byte(box.raised ? 1 : 0);
+  const sim::ArenaController& arena = simulation_.arena();
+  const std::vector<int>& waiting = arena.waiting();
+  for (const scene::Box& box : boxes) {
+    const bool waits = std::binary_search(waiting.begin(), waiting.end(), box.id);
+    out.Byte(static_cast<std::uint8_t>((box.raised ? kUp : 0U) | (waits ? kWaiting : 0U)));
+  }
   out.Pad();
+  const std::size_t moved_at = out.size();
+  std::uint32_t moved = 0;
+  out.Word(0);
+  for (const std::size_t i : dynamic_) {
+    const Pose2& at = boxes[i].pose;
+    const Pose2& start = simulation_.scenario().world.boxes[i].pose;
+    if (at.x == start.x && at.y == start.y && at.yaw == start.yaw) continue;
+    ++moved;
+    out.Word(static_cast<std::uint32_t>(i));
+    out.Single(at.x);
+    out.Single(at.y);
+    out.Single(at.yaw);
+  }
+  out.SetWord(moved_at, moved);
+  out.Word(static_cast<std::uint32_t>(arena.event_count()));
 
   const std::size_t scans_at = out.size();
   std::uint32_t scans = 0;
@@ -234,6 +262,7 @@ std::string ViewModel::Frame(Seen& seen, double rate, const TimeState& time) {
 
   out.Word(static_cast<std::uint32_t>(canvas_width_));
   out.Word(static_cast<std::uint32_t>(canvas_height_));
+  out.Word(simulation_.canvas().layers_revision());
   const std::size_t rows_at = out.size();
   std::uint32_t rows = 0;
   out.Word(0);

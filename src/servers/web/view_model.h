@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -40,6 +41,7 @@ class ViewModel {
   const sim::Simulation& simulation_;
   std::vector<const sim::LaserScanner*> lasers_;  // of all robots, by robot, then as mounted
   std::vector<const sim::RangeRing*> rings_;
+  std::vector<std::size_t> dynamic_;  // boxes, by their place in the scene
   int canvas_width_ = 0;
   int canvas_height_ = 0;
   std::uint64_t canvas_revision_ = 0;

@@ -102,7 +102,7 @@ struct WebServer::Shared : std::enable_shared_from_this<WebServer::Shared> {
   // Why a viewer may not call a service; "" where it may.
   std::string Refusal(std::string_view component, std::string_view service) const {
     static const std::set<std::string_view> kLooks = {"get_local_data", "get_configurations",
-                                                      "get_properties"};
+                                                      "get_properties", "get_layers"};
     static const std::set<std::string_view> kOwnLooks = {"time", "log"};
     static const std::set<std::string_view> kTime = {"pause", "resume", "step", "set_speed",
                                                      "seek"};

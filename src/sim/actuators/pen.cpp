@@ -1,5 +1,7 @@
 #include "sim/actuators/pen.h"
 
+#include <limits>
+#include <set>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -7,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/image.h"
+#include "base/nearest_name.h"
 
 namespace ccmorse::sim {
 namespace {
@@ -14,6 +17,8 @@ namespace {
 constexpr int kFar = 1'000'000'000;
 constexpr int kMostCells = 4096;
 constexpr int kMostListed = 1'000'000;
+constexpr std::size_t kMostLayers = 256;
+constexpr std::size_t kLongestName = 100;  // bytes, of a layer
 
 int Cell(Arguments arguments, std::size_t index, const char* name) {
   return IntegerArgument(arguments, index, name, -kFar, kFar);
@@ -67,6 +72,43 @@ const Json::Array& ListArgument(Arguments arguments, const char* name) {
     throw WrongArgument(std::string(name) + " must be a list, not " + arguments[0].TypeName());
   }
   return arguments[0].AsArray();
+}
+
+bool BoolArgument(Arguments arguments, std::size_t index, const char* name) {
+  if (!arguments[index].IsBool()) {
+    throw WrongArgument(std::string(name) + " must be true or false, not " +
+                        arguments[index].TypeName());
+  }
+  return arguments[index].AsBool();
+}
+
+// [[name, priority, visible], ...]
+std::vector<CanvasLayer> LayersArgument(Arguments arguments) {
+  const Json::Array& list = ListArgument(arguments, "layers");
+  if (list.size() > kMostLayers) {
+    throw WrongArgument("there may be " + std::to_string(kMostLayers) + " layers at most");
+  }
+  std::vector<CanvasLayer> layers;
+  std::set<std::string> names;
+  for (const Json& item : list) {
+    if (!item.IsArray() || item.AsArray().size() != 3) {
+      throw WrongArgument("each layer must be [name, priority, visible]");
+    }
+    const Json::Array& parts = item.AsArray();
+    CanvasLayer layer;
+    layer.name = StringArgument(parts, 0, "name");
+    if (layer.name.empty() || layer.name.size() > kLongestName) {
+      throw WrongArgument("name must have 1 to " + std::to_string(kLongestName) + " bytes");
+    }
+    if (!names.insert(layer.name).second) {
+      throw WrongArgument("name '" + layer.name + "' is there twice");
+    }
+    layer.priority = IntegerArgument(parts, 1, "priority", std::numeric_limits<int>::min(),
+                                     std::numeric_limits<int>::max());
+    layer.visible = BoolArgument(parts, 2, "visible");
+    layers.push_back(std::move(layer));
+  }
+  return layers;
 }
 
 }  // namespace
@@ -144,6 +186,32 @@ Pen::Pen(Robot& robot, const std::string& name, Canvas& canvas)
                 throw ServiceFailed(error.what());
               }
             }});
+  AddLayerServices();
+}
+
+void Pen::AddLayerServices() {
+  AddService({"set_layers", {{"layers"}}, [this](Arguments arguments) {
+                canvas_.SetLayers(LayersArgument(arguments));
+                return Json();
+              }});
+  AddService({"show_layer", {{"name"}, {"shown"}}, [this](Arguments arguments) {
+                const std::string& name = StringArgument(arguments, 0, "name");
+                if (!canvas_.ShowLayer(name, BoolArgument(arguments, 1, "shown"))) {
+                  std::vector<std::string> known;
+                  for (const CanvasLayer& layer : canvas_.layers()) known.push_back(layer.name);
+                  throw ServiceFailed("There is no layer '" + name.substr(0, kLongestName) + "'" +
+                                      DidYouMean(name, known));
+                }
+                return Json();
+              }});
+  AddQuery(
+      {"get_layers", {}, [this](Arguments) {
+         Json::Array list;
+         for (const CanvasLayer& layer : canvas_.layers()) {
+           list.emplace_back(Json::Array{layer.name, layer.priority, layer.visible, layer.shown});
+         }
+         return Json(std::move(list));
+       }});
 }
 
 void Pen::RequireAllCells(std::size_t pixels) const {
