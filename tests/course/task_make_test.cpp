@@ -77,10 +77,12 @@ TEST_P(T02, BuildsForTheSimulatorAndTheRealRobot) {
   EXPECT_NE(symbols.output.find("PlayerClient"), std::string::npos);
   EXPECT_EQ(symbols.output.find("WindowProxy"), std::string::npos);
   // Nobody listens on port 1: one line that says so, and no crash.
-  const Finished nobody = RunToEnd(
-      {"sh", "-c",
-       "cd '" + folder + "' && ./" + GetParam().program + "-syrotek --host 127.0.0.1 " +
-           "--port 1 --map '" CCMORSE_SOURCE_DIR "/courses/par/planning/maps/arena.txt' 2>&1"});
+  const std::string options = GetParam().program == std::string("planner")
+                                  ? " --map '" CCMORSE_SOURCE_DIR
+                                    "/courses/par/planning/maps/arena.txt'"
+                                  : "";
+  const Finished nobody =
+      RunToEnd({"sh", "-c", program + "-syrotek --host 127.0.0.1 --port 1" + options});
   EXPECT_EQ(nobody.status, 1) << nobody.output;
   EXPECT_NE(nobody.output.find("ERROR: "), std::string::npos) << nobody.output;
   EXPECT_EQ(Make(folder, "clean").status, 0);
@@ -91,6 +93,12 @@ INSTANTIATE_TEST_SUITE_P(Planning, T02,
                          testing::Values(Pack{"planning/template", "planner"},
                                          Pack{"planning/solutions/dijkstra", "planner"},
                                          Pack{"planning/solutions/theta_star", "planner"}));
+
+INSTANTIATE_TEST_SUITE_P(Exploration, T02,
+                         testing::Values(Pack{"exploration/template", "explorer"},
+                                         Pack{"exploration/solutions/nearest_frontier", "explorer"},
+                                         Pack{"exploration/solutions/information_gain",
+                                              "explorer"}));
 
 // The template alone, somewhere else: with the settings copied along it needs nothing but CCMorse.
 TEST_P(T01, TemplateMayStandAlone) {
@@ -105,3 +113,5 @@ TEST_P(T01, TemplateMayStandAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Planning, T01, testing::Values(Pack{"planning/template", "planner"}));
+INSTANTIATE_TEST_SUITE_P(Exploration, T01,
+                         testing::Values(Pack{"exploration/template", "explorer"}));
