@@ -22,7 +22,10 @@ CMapGrid Arena() { return CMapGrid(kTask + "/maps/arena.txt"); }
 std::vector<int> Components(const CMapGrid& map, int radius, bool* joined) {
   const int width = map.getWidth();
   const int height = map.getHeight();
-  const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * width + x); };
+  const auto at = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  };
   std::vector<int> of(at(0, height), 0);  // -1: dilated; 0: not looked at; else the component
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {

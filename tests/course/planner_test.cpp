@@ -51,7 +51,10 @@ double ShortestByDefinition(const CPlanner& planner, SCell start, SCell goal) {
   };
   const int width = planner.getWidth();
   const int height = planner.getHeight();
-  const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * width + x); };
+  const auto at = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  };
   std::vector<Cost> cost(at(0, height), {1 << 28, 0});
   if (!planner.isFree(start.x, start.y) || !planner.isFree(goal.x, goal.y)) return -1.0;
   cost[at(start.x, start.y)] = {};

@@ -27,7 +27,9 @@ constexpr double kCell = 0.02;  // m
 const std::string kScenario =
     std::string(CCMORSE_SOURCE_DIR) + "/courses/par/exploration/scenario.json";
 
-std::size_t At(int x, int y) { return static_cast<std::size_t>(y * kWidth + x); }
+std::size_t At(int x, int y) {
+  return static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
+}
 
 bool Inside(int x, int y) { return x >= 0 && x < kWidth && y >= 0 && y < kHeight; }
 
@@ -128,7 +130,7 @@ TEST_P(T12, MapIsRightAndWholeWithoutContact) {
   const Json& robot = *outcome.report.Find("robots")->Find("s1r");
   EXPECT_EQ(robot.Find("contacts")->AsInt(), 0);
   EXPECT_LT(outcome.report.Find("simulated_s")->AsDouble(), 400.5);
-  ASSERT_EQ(outcome.map.size(), std::size_t{kWidth * kHeight});
+  ASSERT_EQ(outcome.map.size(), std::size_t{kWidth} * kHeight);
   const std::vector<std::uint8_t> walls = TrueWalls();
   const std::vector<std::uint8_t> reachable = Reachable();
   int free = 0;
@@ -191,7 +193,7 @@ TEST(T01, ExplorationTemplateStartsAndTheRobotStands) {
   const Outcome outcome = Explore("explorer-template", "5");
   const Json& robot = *outcome.report.Find("robots")->Find("s1r");
   EXPECT_EQ(robot.Find("distance")->AsDouble(), 0.0);
-  EXPECT_EQ(outcome.map, std::string(kWidth * kHeight, '?'));
+  EXPECT_EQ(outcome.map, std::string(std::size_t{kWidth} * kHeight, '?'));
 }
 
 }  // namespace

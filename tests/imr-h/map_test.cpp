@@ -118,12 +118,12 @@ TEST_F(MapFile, PngsAreReadAsTheyWereWritten) {
     const SMapFile map = imr::loadMap(file);
     ASSERT_EQ(map.width, 61);
     ASSERT_EQ(map.height, 37);
-    for (int y = 0; y < 37; ++y) {
-      for (int x = 0; x < 61; ++x) {
-        const int level = image.pixels[static_cast<std::size_t>((36 - y) * 61 + x)].r;
+    for (std::size_t y = 0; y < 37; ++y) {
+      for (std::size_t x = 0; x < 61; ++x) {
+        const int level = image.pixels[(std::size_t{36} - y) * 61 + x].r;
         const double dark = 1.0 - level / 255.0;
         const double expected = dark > 0.65 ? 1.0 : dark < 0.196 ? 0.0 : 0.5;
-        ASSERT_EQ(map.cells[static_cast<std::size_t>(y * 61 + x)], expected) << x << ' ' << y;
+        ASSERT_EQ(map.cells[y * 61 + x], expected) << x << ' ' << y;
       }
     }
   }
