@@ -1,0 +1,42 @@
+// What a scan tells of cells.
+
+#include "imr-h/map_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace imr {
+
+// A hit is worth more than a beam that went by: lines of cells graze walls where beams do not.
+void CMapGrid::updateCell(int x, int y, double occupied) {
+  if (!contains(x, y)) return;
+  const double step = occupied > UNKNOWN ? 0.4 : -0.04;
+  setCell(x, y, std::clamp(getCell(x, y) + step, EMPTY, OCCUPIED));
+}
+
+// J. E. Bresenham, "Algorithm for computer control of a digital plotter", 1965.
+void CMapGrid::updateCells(int rx, int ry, int cx, int cy, double dist) {
+  const int dx = std::abs(cx - rx);
+  const int dy = -std::abs(cy - ry);
+  const int stepX = rx < cx ? 1 : -1;
+  const int stepY = ry < cy ? 1 : -1;
+  int error = dx + dy;
+  for (int x = rx, y = ry; x != cx || y != cy;) {
+    // Beside the end of a hit, the line of cells may be in the wall where the beam is not.
+    const bool atWall = std::isfinite(dist) && std::max(std::abs(cx - x), std::abs(cy - y)) < 2;
+    if (!atWall) updateCell(x, y, EMPTY);
+    const int twice = 2 * error;
+    if (twice >= dy) {
+      error += dy;
+      x += stepX;
+    }
+    if (twice <= dx) {
+      error += dx;
+      y += stepY;
+    }
+  }
+  if (std::isfinite(dist)) updateCell(cx, cy, OCCUPIED);
+}
+
+}  // namespace imr
