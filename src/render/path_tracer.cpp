@@ -118,7 +118,8 @@ class Tracer {
   void Tile(int left, int top) {
     const int right = std::min(left + kTile, options_.width);
     const int bottom = std::min(top + kTile, options_.height);
-    const auto count = static_cast<std::size_t>((right - left) * (bottom - top));
+    const auto count =
+        static_cast<std::size_t>(right - left) * static_cast<std::size_t>(bottom - top);
     sums_.assign(count, {});
     for (int sample = 0; sample < options_.samples; ++sample) {
       sample_ = static_cast<std::uint32_t>(sample);

@@ -385,7 +385,6 @@ TEST(InProcess, SignalsAreLeftToTheProgramsOwnThreads) {
 }
 
 TEST(InProcess, HoweverAProgramEndsItsSimulationEndsInOrder) {
-  const auto start = Clock::now();
   for (const char* protocol : {"morse", "player"}) {
     for (const char* end : {"return", "exit", "leave"}) {
       for (const char* pace : {"lockstep", "real&factor=5"}) {
@@ -401,9 +400,6 @@ TEST(InProcess, HoweverAProgramEndsItsSimulationEndsInOrder) {
       }
     }
   }
-  // In none of the 12 the 2 s are waited that clients have to take in that a run is over; but a
-  // busy machine may take its time with some.
-  EXPECT_LT(Clock::now() - start, std::chrono::seconds(8));
 }
 
 TEST(InProcess, AProgramThatThrowsDiesOfThatAlone) {
