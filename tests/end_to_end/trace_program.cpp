@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
     Drive(*client, seconds);
     if (end == "exit") std::exit(0);
     // A pointer stays, so that the address sanitizer does not call it a leak.
-    static PlayerClient* volatile left = nullptr;
+    [[maybe_unused]] static PlayerClient* volatile left = nullptr;
     if (end == "leave") left = client.release();
   } catch (const PlayerError& error) {
     std::fprintf(stderr, "%s: %s\n", error.GetErrorFun().c_str(), error.GetErrorStr().c_str());
