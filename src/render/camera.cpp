@@ -4,14 +4,9 @@
 
 #include "base/error.h"
 #include "base/trig.h"
+#include "render/vector_math.h"
 
 namespace ccmorse::render {
-namespace {
-
-Vec3 Unit(const Vec3& v) { return (1.0 / std::sqrt(Dot(v, v))) * v; }
-
-}  // namespace
-
 Camera Camera::LookAt(const Vec3& from, const Vec3& at) {
   const Vec3 way = at - from;
   if (!(Dot(way, way) > 0.0)) throw Error("a camera cannot look at the place where it stands");

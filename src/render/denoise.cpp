@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <thread>
 
+#include "render/vector_math.h"
+
 namespace ccmorse::render {
 namespace {
 
@@ -15,8 +17,6 @@ constexpr double kLightEdge = 2.0;  // standard deviations of a difference that 
 constexpr double kNormalPower = 64.0;
 constexpr double kDepthEdge = 0.02;  // share of the distance
 constexpr double kLeastAlbedo = 0.04;
-
-double Luminance(const Vec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
 struct Field {
   std::vector<Vec3> light;  // over the albedo

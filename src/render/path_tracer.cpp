@@ -13,6 +13,7 @@
 #include "base/philox.h"
 #include "base/trig.h"
 #include "render/denoise.h"
+#include "render/vector_math.h"
 
 namespace ccmorse::render {
 namespace {
@@ -26,10 +27,7 @@ constexpr double kBrightest = 6.0;  // of light over several surfaces: rare flas
 enum Decision : std::uint32_t { kOfPixel, kOfSun, kOfSpot, kWhichSpot, kWhichLobe, kDirection };
 constexpr std::uint32_t kDecisions = 8;
 
-Vec3 Unit(const Vec3& v) { return (1.0 / std::sqrt(Dot(v, v))) * v; }
 Vec3 Times(const Vec3& a, const Vec3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-double Luminance(const Vec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
-
 // Two axes that make a right-handed frame with the unit vector z (T. Duff et al., "Building an
 // orthonormal basis, revisited", JCGT 2017).
 void Frame(const Vec3& z, Vec3& x, Vec3& y) {

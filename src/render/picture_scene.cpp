@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "base/polygon.h"
 #include "base/trig.h"
+#include "render/vector_math.h"
 
 namespace ccmorse::render {
 namespace {
@@ -12,11 +14,9 @@ namespace {
 constexpr int kCylinderSides = 48;
 constexpr int kBevelSteps = 3;
 
-Vec3 Unit(const Vec3& v) { return (1.0 / std::sqrt(Dot(v, v))) * v; }
-
 Vec3 At(const Pose2& pose, Vec2 p, double z) {
-  const auto [s, c] = SinCos(pose.yaw);
-  return {pose.x + c * p.x - s * p.y, pose.y + s * p.x + c * p.y, z};
+  const Vec2 at = Transform(pose, p);
+  return {at.x, at.y, z};
 }
 
 // The outline with every side moved inwards by `by`, m.

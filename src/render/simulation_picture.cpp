@@ -6,7 +6,9 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/polygon.h"
 #include "base/trig.h"
+#include "render/vector_math.h"
 #include "scene/robots.h"
 #include "sim/sensors/laser_scanner.h"
 
@@ -23,16 +25,14 @@ constexpr double kSunIrradiance = 1.0;
 constexpr double kSpotIntensity = 0.4;
 constexpr double kSky = 0.2;
 
-Vec3 Unit(const Vec3& v) { return (1.0 / std::sqrt(Dot(v, v))) * v; }
-
 // The materials that robots share.
 struct Parts {
   int chassis, rubber, rim, scanner;
 };
 
 Vec3 OnRobot(const Pose2& pose, const Vec3& at) {
-  const auto [s, c] = SinCos(pose.yaw);
-  return {pose.x + c * at.x - s * at.y, pose.y + s * at.x + c * at.y, at.z};
+  const Vec2 placed = Transform(pose, {at.x, at.y});
+  return {placed.x, placed.y, at.z};
 }
 
 void AddWheels(const sim::Robot& robot, const Parts& parts, PictureScene& scene) {

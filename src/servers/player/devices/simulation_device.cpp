@@ -20,10 +20,7 @@ const scene::Box* FindBox(const sim::Simulation& simulation, const std::string& 
   const char* const end = name.data() + name.size();
   const auto read = std::from_chars(name.data() + kPrefix.size(), end, id);
   if (read.ec != std::errc{} || read.ptr != end) return nullptr;
-  for (const scene::Box& box : simulation.world().scene().boxes) {
-    if (box.id == id) return &box;
-  }
-  return nullptr;
+  return simulation.world().FindBox(id);
 }
 
 }  // namespace
