@@ -20,6 +20,7 @@ constexpr auto kStayAwake = std::chrono::microseconds(100);  // in lock-step, fo
 // In real time, before data are due: waking from sleep takes tens of microseconds, and where
 // somebody waits for the data the thread is to be awake then.
 constexpr auto kWakeEarly = std::chrono::microseconds(200);
+constexpr auto kWarmEarly = std::chrono::microseconds(100);
 constexpr int kHandlersPerTick = 64;  // at full speed, so that no flood of requests stops time
 
 }  // namespace
@@ -269,8 +270,18 @@ void Runner::WaitForPace() {
                std::chrono::duration<double>(now - due).count());
     GoOnFromHere();
   }
-  SleepUntil(HasReaders() ? due - kWakeEarly : due);
-  while (!stop_ && !held() && !speed_changed_ && WallClock::now() < due) io_.poll_one();
+  if (HasReaders()) {
+    SleepUntil(due - kWakeEarly);
+    StayAwakeUntil(due - kWarmEarly);
+    if (WallClock::now() < due) warm_path_.Warm();
+  } else {
+    SleepUntil(due);
+  }
+  StayAwakeUntil(due);
+}
+
+void Runner::StayAwakeUntil(WallClock::time_point time) {
+  while (!stop_ && !held() && !speed_changed_ && WallClock::now() < time) io_.poll_one();
 }
 
 void Runner::ServeWhatIsThere() {

@@ -14,6 +14,7 @@
 #include "base/wakefulness.h"
 #include "servers/morse/morse_server.h"
 #include "servers/morse/service_directory.h"
+#include "servers/net/warm_path.h"
 #include "servers/player/player_server.h"
 #include "servers/run_watcher.h"
 #include "sim/simulation.h"
@@ -114,6 +115,7 @@ class Runner {
   void ServeWhatIsThere();
   void WaitForClients();
   void SleepUntil(WallClock::time_point time);  // and serve meanwhile
+  void StayAwakeUntil(WallClock::time_point time);
   void CountTick();
   void LetClientsFinish();
   bool Over() const;
@@ -132,6 +134,7 @@ class Runner {
   std::atomic<bool> at_once_ = false;
   boost::asio::steady_timer bell_{io_};
   bool bell_rang_ = false;
+  WarmPath warm_path_;
   std::optional<boost::asio::steady_timer> patience_;  // runs since StopAfterClients()
   WallClock::time_point start_;                        // of the first step
   double speed_;                // simulated seconds per wall second; infinity: no limit

@@ -19,10 +19,10 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/wakefulness.h"
 #include "client/core/address.h"
 #include "client/core/in_process.h"
 #include "client/core/tcp_connect.h"
+#include "client/core/vigil.h"
 #include "libCCMorse/MorseError.h"
 #include "wire/fast_link.h"
 
@@ -38,11 +38,6 @@ constexpr auto kSilenceBeforePing = std::chrono::seconds(1);
 constexpr auto kSilenceAfterPing = std::chrono::milliseconds(1900);
 // The pumping thread wakes at least this often, so that no missed wake-up can cost more.
 constexpr auto kLongestSleep = std::chrono::milliseconds(500);
-// Before it sleeps it stays awake this long, and leaves the processor to whoever wants it: answers
-// that come within microseconds are not to wait for the tens of microseconds that waking takes.
-constexpr auto kStayAwake = std::chrono::microseconds(100);
-// The same around the time at which an answer is expected.
-constexpr auto kWakeEarly = std::chrono::microseconds(200);
 constexpr std::size_t kReadBlock = std::size_t{64} << 10;
 
 Clock::duration Seconds(double seconds) {
@@ -140,14 +135,7 @@ struct Connection::Impl {
 
   // Waits for bytes, for room to send with `to_send`, for Wake() or until the time has come.
   Came Receive(Clock::time_point until, Clock::time_point expected, bool to_send) {
-    const auto start = Clock::now();
-    auto awake_until = wakefulness.Pays(start) ? start + kStayAwake : start;
-    if (start < expected - kWakeEarly) {
-      until = std::min(until, expected - kWakeEarly);
-    } else {
-      awake_until = std::max(awake_until, expected + kWakeEarly);
-    }
-    awake_until = std::min(until, awake_until);
+    vigil.Begin(until, expected);
     bool slept = false;
     for (;;) {
       const ssize_t size = splitter ? ReceiveTo(splitter->Space(kReadBlock), kReadBlock)
@@ -161,12 +149,8 @@ struct Connection::Impl {
         return Came::kError;
       }
       if (slept || woken.exchange(false)) return Came::kNothing;
-      const auto now = Clock::now();
-      if (now < awake_until) {
-        if (now < expected - kWakeEarly || now > expected + kWakeEarly) wakefulness.GiveWay();
-        continue;
-      }
-      Sleep(until, to_send);
+      if (vigil.StaysAwake()) continue;
+      Sleep(vigil.sleep_until(), to_send);
       slept = true;
     }
   }
@@ -449,7 +433,7 @@ struct Connection::Impl {
   std::unique_ptr<ccmorse::wire::FrameSplitter> splitter;  // a fast link; set while nobody pumps
   std::size_t received = 0;
   int receive_error = 0;
-  ccmorse::Wakefulness wakefulness;
+  Vigil vigil;
 
   mutable std::mutex mutex;
   std::condition_variable changed;

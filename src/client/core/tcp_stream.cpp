@@ -15,6 +15,7 @@
 #include "client/core/address.h"
 #include "client/core/in_process.h"
 #include "client/core/tcp_connect.h"
+#include "client/core/vigil.h"
 #include "libCCMorse/MorseError.h"
 
 namespace CCMorse::core {
@@ -24,12 +25,15 @@ using Clock = std::chrono::steady_clock;
 namespace {
 
 constexpr auto kSendLimit = std::chrono::seconds(5);
-constexpr std::int64_t kLongest = 3600000;  // ms of one wait
+constexpr Clock::duration kLongest = std::chrono::hours(1);  // of one wait
 constexpr std::size_t kBlock = std::size_t{64} << 10;
+
+// Data that come in a rhythm are further apart than this; nearer ones belong together.
+constexpr auto kBurst = std::chrono::microseconds(500);
 
 int MillisecondsUntil(Clock::time_point deadline) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-  return static_cast<int>(std::clamp<std::int64_t>(left, 0, kLongest));
+  return static_cast<int>(std::max<std::int64_t>(left, 0));
 }
 
 }  // namespace
@@ -40,8 +44,16 @@ struct TcpStream::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
+  // Looks, until `until`, who has something.
+  Wait Look(Clock::time_point until);
+  void NoteArrival();
+
   int handle = -1;
   int wake = -1;
+  Vigil vigil;
+  // When data came: the first of the last two bursts.
+  Clock::time_point arrived{};
+  Clock::time_point arrived_before{};
   std::mutex mutex;                       // simulation
   std::shared_ptr<InProcess> simulation;  // that the other end belongs to; nullptr: TCP
 };
@@ -71,16 +83,36 @@ TcpStream::Impl::~Impl() {
   if (handle >= 0) ::close(handle);
 }
 
-TcpStream::Wait TcpStream::WaitFor(Clock::time_point deadline) {
-  std::array<pollfd, 2> fds = {pollfd{impl_->handle, POLLIN, 0}, pollfd{impl_->wake, POLLIN, 0}};
-  const int ready = ::poll(fds.data(), fds.size(), MillisecondsUntil(deadline));
+TcpStream::Wait TcpStream::Impl::Look(Clock::time_point until) {
+  std::array<pollfd, 2> fds = {pollfd{handle, POLLIN, 0}, pollfd{wake, POLLIN, 0}};
+  const auto left = std::clamp(until - Clock::now(), Clock::duration::zero(), kLongest);
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(left);
+  const timespec limit{seconds.count(), std::chrono::nanoseconds(left - seconds).count()};
+  const int ready = ::ppoll(fds.data(), fds.size(), &limit, nullptr);
   if (ready < 0) return errno == EINTR ? Wait::kTimeout : Wait::kLost;
   if (fds[0].revents != 0) return Wait::kReady;
   if (fds[1].revents == 0) return Wait::kTimeout;
   std::uint64_t count = 0;
-  while (::read(impl_->wake, &count, sizeof count) > 0) {
+  while (::read(wake, &count, sizeof count) > 0) {
   }
   return Wait::kWoken;
+}
+
+void TcpStream::Impl::NoteArrival() {
+  const auto now = Clock::now();
+  if (now - arrived > kBurst) arrived_before = std::exchange(arrived, now);
+}
+
+TcpStream::Wait TcpStream::WaitFor(Clock::time_point deadline) {
+  Impl& impl = *impl_;
+  Wait found = impl.Look({});
+  while (found == Wait::kTimeout && Clock::now() < deadline) {
+    impl.vigil.Begin(deadline, impl.arrived + (impl.arrived - impl.arrived_before));
+    while (found == Wait::kTimeout && impl.vigil.StaysAwake()) found = impl.Look({});
+    if (found == Wait::kTimeout) found = impl.Look(impl.vigil.sleep_until());
+  }
+  if (found == Wait::kReady) impl.NoteArrival();
+  return found;
 }
 
 bool TcpStream::Receive(std::string& out) {
