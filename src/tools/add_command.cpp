@@ -99,11 +99,12 @@ int AddComponent(ComponentKind kind, const Arguments& arguments, const std::stri
   }
   if (const std::string problem = ProblemOfPythonName(name); !problem.empty()) {
     const std::string better = AsPythonName(name);
-    throw Error(fmt::format("{} cannot be the name of a {}: it {}; use letters, digits and '_'{}",
-                            scene::Quoted(name), kind_name, problem,
-                            better.empty() ? ""
-                                           : fmt::format(": {} add {} {} {}", program, kind_name,
-                                                         better, environment->name)));
+    throw Error(fmt::format(
+        "{} cannot be the name of {} {}: it {}; use letters, digits and '_'{}", scene::Quoted(name),
+        kind == ComponentKind::kActuator ? "an" : "a", kind_name, problem,
+        better.empty()
+            ? ""
+            : fmt::format(": {} add {} {} {}", program, kind_name, better, environment->name)));
   }
   const std::string package = PackageOf(*environment);
   const fs::path& root = environment->folder;
@@ -150,11 +151,20 @@ int AddComponent(ComponentKind kind, const Arguments& arguments, const std::stri
 }  // namespace
 
 void AddAddCommand(CommandLine& line) {
-  CLI::App& command =
-      line.Add("add", "add the templates of a robot, sensor or actuator to an environment",
-               [] { return 0; });
-  command.require_subcommand(1);
-  // Sub-commands of their own, so that a word that is none of them is named with what there is.
+  // Known once the command is there; what is no kind is left for us to name.
+  const auto self = std::make_shared<CLI::App*>(nullptr);
+  CLI::App& command = line.Add(
+      "add", "add the templates of a robot, sensor or actuator to an environment", [self]() -> int {
+        const std::vector<std::string> words = (*self)->remaining();
+        throw Error(
+            fmt::format("add what{}? One of robot, sensor and actuator, as: ccmorse "
+                        "add sensor NAME ENV",
+                        words.empty() ? "" : " - " + scene::Quoted(words.front())));
+      });
+  *self = &command;
+  command.require_subcommand(0, 1);
+  command.allow_extras();
+  // Each has its own help.
   for (const ComponentKind kind :
        {ComponentKind::kRobot, ComponentKind::kSensor, ComponentKind::kActuator}) {
     const std::string kind_name(KindName(kind));
@@ -171,6 +181,7 @@ void AddAddCommand(CommandLine& line) {
                      "one line on what it is; else sensors and actuators ask for it")
         ->type_name("TEXT");
     part->add_flag("-f,--force", arguments->force, "replace files that are there");
+    part->allow_extras(false);
     part->footer(fmt::format("Example:\n  ccmorse add {} {} my_scene", kind_name,
                              kind == ComponentKind::kRobot    ? "rover"
                              : kind == ComponentKind::kSensor ? "thermometer"

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -39,22 +40,25 @@ bool SaysYes(const std::string& question) {
 [[noreturn]] void RefuseUnknown(const std::string& name, const Environments& environments) {
   std::vector<std::string> names;
   for (const Environment& each : environments.List()) names.push_back(each.name);
-  throw Error(fmt::format(
-      "no environment {}{}; {}", scene::Quoted(name), DidYouMean(name, names),
-      names.empty() ? "none was created or imported yet" : "there are " + scene::Listed(names)));
+  throw Error(fmt::format("no environment {}{}; {}", scene::Quoted(name), DidYouMean(name, names),
+                          names.empty() ? "none was created or imported yet"
+                                        : "the environments are " + scene::Listed(names)));
 }
 
-// Whether the folder may go: `create` made it, it still is a folder of its own, and nobody else
-// needs it.
-bool MayGo(const Environment& environment, const Environments& environments) {
+// Why the folder has to stay, or nothing where it may go: `create` made it, it still is a folder of
+// its own, and nobody else needs it.
+std::optional<std::string> ReasonToStay(const Environment& environment,
+                                        const Environments& environments) {
   std::error_code failed;
-  if (!environment.created || !fs::is_directory(fs::symlink_status(environment.folder, failed))) {
-    return false;
-  }
+  const fs::file_status status = fs::symlink_status(environment.folder, failed);
+  const std::string folder = environment.folder.string();
+  if (!fs::exists(status)) return folder + " was gone already";
+  if (!environment.created || !fs::is_directory(status)) return folder + " stays as it is";
   for (const Environment& other : environments.List()) {
-    if (other.name != environment.name && other.folder == environment.folder) return false;
+    if (other.name == environment.name || other.folder != environment.folder) continue;
+    return fmt::format("{} stays, as environment \"{}\" is there, too", folder, other.name);
   }
-  return true;
+  return std::nullopt;
 }
 
 int Remove(const Arguments& arguments) {
@@ -62,12 +66,11 @@ int Remove(const Arguments& arguments) {
   const auto environment = environments.Find(arguments.name);
   if (!environment) RefuseUnknown(arguments.name, environments);
   const std::string folder = environment->folder.string();
-  std::error_code failed;
-  if (arguments.keep || !MayGo(*environment, environments)) {
+  std::optional<std::string> stays = ReasonToStay(*environment, environments);
+  if (arguments.keep && !stays) stays = folder + " stays as it is";
+  if (stays) {
     environments.Forget(environment->name);
-    fmt::print("* \"{}\" is no environment any more; {}.\n", environment->name,
-               fs::exists(environment->folder, failed) ? folder + " stays as it is"
-                                                       : folder + " was gone already");
+    fmt::print("* \"{}\" is no environment any more; {}.\n", environment->name, *stays);
     return 0;
   }
   const std::string what = arguments.destroy ? "Delete for good" : "Move to the trash";
@@ -76,6 +79,7 @@ int Remove(const Arguments& arguments) {
     return 1;
   }
   if (arguments.destroy) {
+    std::error_code failed;
     fs::remove_all(environment->folder, failed);
     if (failed) {
       throw Error(fmt::format("cannot delete all of {}: {}; what is left is still environment '{}'",
