@@ -14,7 +14,9 @@ TEST(ProjectFiles, NamesOfPackages) {
        {"", "my env", "my-env", "2d", "class", "morse", "json", "ärger", "a.b"}) {
     EXPECT_NE(ProblemOfPythonName(name), "") << name;
     const std::string better = AsPythonName(name);
-    if (!better.empty()) EXPECT_EQ(ProblemOfPythonName(better), "") << better;
+    if (!better.empty()) {
+      EXPECT_EQ(ProblemOfPythonName(better), "") << better;
+    }
   }
   EXPECT_EQ(AsPythonName("my env"), "my_env");
   EXPECT_EQ(AsPythonName("2d"), "env_2d");
