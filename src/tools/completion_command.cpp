@@ -49,9 +49,9 @@ int PrintBash(const CLI::App& app) {
   fmt::print(
       "  esac\n"
       "  case $command in\n"
-      "    run | render | convert) names=$(ccmorse list --names "
+      "    run | render | edit) names=$(ccmorse list --names "
       "2>/dev/null) ;;\n"
-      "    rm | edit | export | add) names=$(ccmorse list --names --environments 2>/dev/null) ;;\n"
+      "    rm | export | add) names=$(ccmorse list --names --environments 2>/dev/null) ;;\n"
       "  esac\n"
       "  local IFS=$'\\n'\n"
       "  COMPREPLY=($(compgen -W \"${{words// /$IFS}}$IFS$names\" -- \"$word\") $(compgen -f -- "

@@ -28,7 +28,7 @@ fs::path HomeFolder() {
   if (const char* const home = std::getenv("HOME"); home != nullptr && *home != '\0') return home;
   const passwd* const user = ::getpwuid(::getuid());
   if (user != nullptr && user->pw_dir != nullptr && *user->pw_dir != '\0') return user->pw_dir;
-  throw Error("no home folder to keep the list of environments in; set HOME");
+  return {};
 }
 
 // A file that is not there is an empty one; one that cannot be read is an error.
@@ -135,6 +135,7 @@ Environments::Environments(fs::path home)
       created_file_(home_ / ".morse" / "created") {}
 
 std::vector<Environment> Environments::List() const {
+  if (home_.empty()) return {};
   const SiteConfig created(TextOf(created_file_), "created");
   std::vector<Environment> environments;
   for (const SiteConfig::Site& site : SiteConfig(TextOf(config_file_)).Sites()) {
@@ -146,6 +147,7 @@ std::vector<Environment> Environments::List() const {
 }
 
 std::optional<Environment> Environments::Find(const std::string& name) const {
+  if (home_.empty()) return std::nullopt;
   const std::optional<SiteConfig::Site> site = SiteConfig(TextOf(config_file_)).Find(name);
   if (!site) return std::nullopt;
   const auto made = SiteConfig(TextOf(created_file_), "created").Find(name);
@@ -155,6 +157,9 @@ std::optional<Environment> Environments::Find(const std::string& name) const {
 
 void Environments::Change(
     const std::function<void(SiteConfig& sites, SiteConfig& created)>& change) {
+  if (home_.empty()) {
+    throw Error("there is no home folder to keep the list of environments in; set HOME");
+  }
   const fs::path folder = config_file_.parent_path();
   std::error_code failed;
   fs::create_directories(folder, failed);

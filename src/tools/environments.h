@@ -25,7 +25,8 @@ struct Environment {
 /// files anew. Thread safe.
 class Environments {
  public:
-  /// Of the user: $HOME, else the home folder of the user's account. Throws Error without any.
+  /// Of the user: $HOME, else the home folder of the user's account. Without any, as in a sandbox,
+  /// there are no environments, and none can be added.
   Environments();
   explicit Environments(std::filesystem::path home);
 

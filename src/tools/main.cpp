@@ -427,6 +427,15 @@ int Run(int argc, char** argv) {
     }
     if (const auto status = projects.Execute()) return *status;
     if (replay_command->parsed()) return ccmorse::tools::Replay(replay);
+    if (render_command->parsed()) {
+      const ccmorse::tools::Environments environments;
+      if (environments.Find(render.what)) {
+        const auto scene = ccmorse::tools::ChooseScene({render.what}, environments);
+        ccmorse::tools::PrepareScene(scene);
+        render.what = scene.file;
+        if (render.out.empty()) render.out = scene.name + ".png";
+      }
+    }
     if (render_command->parsed()) return ccmorse::tools::Render(render);
     if (convert_command->parsed()) return ccmorse::tools::Convert(convert);
     if (list_command->parsed()) return ccmorse::tools::List(list);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "base/nearest_name.h"
 #include "scene/field.h"
 #include "scene/scenario.h"
@@ -92,6 +93,16 @@ SceneChoice OfEnvironment(const Environment& environment, const std::vector<std:
   return choice;
 }
 
+// A config file that cannot be read keeps nobody from what is not in it.
+std::optional<Environment> FindReadable(const Environments& environments, const std::string& name) {
+  try {
+    return environments.Find(name);
+  } catch (const Error& error) {
+    LogWarning("environments are not known: {}", error.what());
+    return std::nullopt;
+  }
+}
+
 void Prepend(const char* variable, const fs::path& folder) {
   const char* const old = std::getenv(variable);
   const std::string value =
@@ -138,7 +149,9 @@ SceneChoice ChooseScene(const std::vector<std::string>& words, const Environment
         "there is");
   }
   const std::string& what = words.front();
-  if (const auto environment = environments.Find(what)) return OfEnvironment(*environment, words);
+  if (const auto environment = FindReadable(environments, what)) {
+    return OfEnvironment(*environment, words);
+  }
   SceneChoice choice;
   const std::vector<std::string> scenarios = scene::ListScenarios();
   const bool known = std::find(scenarios.begin(), scenarios.end(), what) != scenarios.end();
@@ -148,10 +161,10 @@ SceneChoice ChooseScene(const std::vector<std::string>& words, const Environment
     choice = OfFolder(fs::weakly_canonical(what), what);
   } else {
     std::vector<std::string> names = scenarios;
-    for (const Environment& each : environments.List()) names.push_back(each.name);
     try {
       choice.file = scene::FindScenario(what);
     } catch (const Error&) {
+      for (const Environment& each : environments.List()) names.push_back(each.name);
       std::string message =
           fmt::format("no environment, file or scenario {}{}; there are {}", scene::Quoted(what),
                       DidYouMean(what, names), names.empty() ? "none" : scene::Listed(names));

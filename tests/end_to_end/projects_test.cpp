@@ -517,6 +517,23 @@ TEST(Environments, AHomeThatCannotBeWrittenIsNamedAndNothingElseFails) {
   ExpectOk(at({"list"}));
 }
 
+// As in a sandbox, or with a config file that is not the user's to read.
+TEST(Environments, ScenariosRunWhereNoEnvironmentsCanBeKnown) {
+  const User user;
+  fs::create_directories(user.home() + "/.morse/config");
+  const Finished run = user.Do("ccmorse", RunWords({"syrotek"}));
+  ExpectOk(run);
+  EXPECT_TRUE(Has(run, user.home() + "/.morse/config is a folder")) << run.output;
+  ExpectRefused(user.Do("ccmorse", {"create", "x"}), {"/.morse/config is a folder"});
+}
+
+TEST(Environments, RenderKnowsThemToo) {
+  const User user;
+  ExpectOk(user.Do("ccmorse", {"create", "x"}));
+  ExpectOk(user.Do("ccmorse", {"render", "x", "--size", "64x48", "--samples", "1"}));
+  EXPECT_GT(fs::file_size(user.work() + "/x.png"), 100U);
+}
+
 TEST(Completion, KnowsCommandsOptionsAndNames) {
   const User user;
   ExpectOk(user.Do("ccmorse", {"import", kPar + "planning", "PAR_PLANNING"}));
