@@ -44,6 +44,14 @@ bool IsScene(const fs::path& file) {
   return ending == ".json" || ending == ".world" || ending == ".cfg";
 }
 
+bool IsScript(const fs::path& file) {
+  if (IsScene(file) || file.extension() == ".blend") return false;
+  if (file.extension() == ".py") return true;
+  std::ifstream text(file);
+  char first = ' ';
+  return !(text >> first) || first != '{';
+}
+
 SceneChoice OfFolder(const fs::path& folder, const std::string& called) {
   SceneChoice choice;
   const std::optional<fs::path> scene = DefaultScene(folder, &choice.note);
@@ -112,14 +120,6 @@ void Prepend(const char* variable, const fs::path& folder) {
 
 }  // namespace
 
-bool IsBuilderScript(const fs::path& file) {
-  if (IsScene(file) || file.extension() == ".blend") return false;
-  if (file.extension() == ".py") return true;
-  std::ifstream text(file);
-  char first = ' ';
-  return !(text >> first) || first != '{';
-}
-
 std::optional<fs::path> DefaultScene(const fs::path& folder, std::string* note) {
   const fs::path scenario = folder / "scenario.json";
   const fs::path script = folder / "default.py";
@@ -185,7 +185,7 @@ void PrepareScene(const SceneChoice& choice) {
                     "script that says Environment('{}') does",
                     choice.file, fs::path(choice.file).filename().string()));
   }
-  if (!IsBuilderScript(choice.file)) {
+  if (!IsScript(choice.file)) {
     if (choice.arguments.empty()) return;
     throw Error(fmt::format("{} takes no arguments, only builder scripts do; what is {} for?",
                             choice.file, scene::Quoted(choice.arguments.front())));

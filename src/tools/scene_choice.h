@@ -22,10 +22,6 @@ struct SceneChoice {
   std::string note;                    ///< what the user should know of the choice, or ""
 };
 
-/// Whether a scene file is Python: MORSE takes any ending for a script but .blend; ours are what
-/// ends in .json, .world or .cfg, or begins with a brace.
-bool IsBuilderScript(const std::filesystem::path& file);
-
 /// The scene that a project starts with: scenario.json; as MORSE has it default.py, else the first
 /// *.py or *.blend by name; else the only *.json, *.world or *.cfg there is. Nothing when there is
 /// none, or the folder cannot be read. When there are both scenario.json and default.py, `note`,
@@ -40,8 +36,9 @@ std::optional<std::filesystem::path> DefaultScene(const std::filesystem::path& f
 SceneChoice ChooseScene(const std::vector<std::string>& words, const Environments& environments);
 
 /// Throws Error for what this build cannot run (a .blend, and a script unless kRunsBuilderScripts),
-/// and for arguments to what takes none. For a script sets what MORSE sets: PYTHONPATH begins with
-/// the environment's src, MORSE_RESOURCE_PATH with its data.
+/// and for arguments to what takes none. As MORSE does, it takes any file for a script but .blend
+/// and what is ours: .json, .world, .cfg, and what begins with a brace. For a script sets what
+/// MORSE sets: PYTHONPATH begins with the environment's src, MORSE_RESOURCE_PATH with its data.
 void PrepareScene(const SceneChoice& choice);
 
 }  // namespace ccmorse::tools
