@@ -51,7 +51,8 @@ HEAVY = {
     "boost/": r"src/(servers|in_process|client/core)/.*|src/tools/stop_signals\.(h|cpp)"
               r"|src/bench/view_bench\.cpp",
     "embree3/": r"src/sim/rays/embree_scene\.cpp|src/bench/embree_bench\.cpp",
-    "CLI/": r"src/tools/main\.cpp",
+    "CLI/": r"src/tools/(main\.cpp|\w+_command\.cpp|(command_line|morse_options)\.(h|cpp))",
+    "zip.h": r"src/tools/zip_archive\.cpp",
     "spdlog/": r"src/base/log\.cpp",
     "png.h": r"src/base/image\.cpp",
     "zlib.h": r"src/wire/.*\.cpp|src/bench/view_bench\.cpp",

@@ -9,16 +9,22 @@
 #include <exception>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "tools/batch_command.h"
 #include "tools/bench_all.h"
 #include "tools/bench_program.h"
+#include "tools/command_line.h"
 #include "tools/fleet_bench.h"
+#include "tools/list_command.h"
+#include "tools/morse_options.h"
 #include "tools/rays_bench.h"
 #include "tools/render_command.h"
 #include "tools/replay_command.h"
 #include "tools/run_command.h"
+#include "tools/scene_choice.h"
 
 namespace {
 
@@ -126,17 +132,23 @@ void AddBatchOptions(CLI::App& command, ccmorse::tools::BatchArguments& batch) {
 }
 
 int Run(int argc, char** argv) {
-  CLI::App app{"ccmorse - robots for programs written for Player, MORSE and SyRoTek", "ccmorse"};
-  app.set_version_flag("--version", std::string("ccmorse ") + CCMORSE_VERSION);
+  const std::string program = ccmorse::tools::ProgramName(argc, argv);
+  CLI::App app{"ccmorse - robots for programs written for Player, MORSE and SyRoTek", program};
+  ccmorse::tools::AddVersionOption(app, program);
   app.require_subcommand(0, 1);
+  ccmorse::tools::MorseOptions morse;
+  ccmorse::tools::AddMorseOptions(app, morse);
   ccmorse::tools::RunArguments run;
+  std::vector<std::string> what;
   CLI::App* const run_command = app.add_subcommand("run", "simulate a scenario and serve clients");
   run_command
-      ->add_option("scenario", run.scenario,
-                   "a scenario's name or path (see ccmorse list), a .cfg of "
-                   "Player or a .world of Stage")
+      ->add_option("scenario", what,
+                   "an environment, or one of its files after it; a scenario's name or path (see "
+                   "ccmorse list), a .cfg of Player or a .world of Stage; further words, behind "
+                   "--, are for a builder script")
       ->required()
       ->type_name("SCENARIO");
+  ccmorse::tools::AddMorseRunOptions(*run_command, morse);
   run_command->add_flag("--headless", run.headless, "without the live view");
   run_command
       ->add_option("--clients", run.clients,
@@ -244,6 +256,7 @@ int Run(int argc, char** argv) {
       "  ccmorse replay run.mcap --verify         does it come out the same again?\n"
       "  ccmorse run syrotek --mirror player://syrotek:38000\n"
       "  ccmorse run simple.cfg                   a world of Stage with Player's drivers\n"
+      "  ccmorse run PAR_PLANNING                 an environment (see ccmorse import)\n"
       "Ctrl-C ends a run and prints its report.");
 
   ccmorse::tools::ReplayArguments replay;
@@ -311,7 +324,14 @@ int Run(int argc, char** argv) {
       "render", "a ray-traced picture of a scenario, or of a moment of a record");
   AddRenderOptions(*render_command, render);
 
-  CLI::App* const list_command = app.add_subcommand("list", "list the scenarios");
+  ccmorse::tools::ListArguments list;
+  CLI::App* const list_command =
+      app.add_subcommand("list", "list the scenarios and the environments");
+  list_command->add_flag("--names", list.names, "nothing but names");
+  list_command->add_flag("--environments", list.environments, "without the scenarios");
+
+  ccmorse::tools::CommandLine projects(app, program);
+  ccmorse::tools::AddProjectCommands(projects);
 
   ccmorse::tools::BatchArguments batch;
   CLI::App* const batch_command = app.add_subcommand(
@@ -390,11 +410,12 @@ int Run(int argc, char** argv) {
       "  ccmorse run my_scene.json --pace lockstep --for 120 --picture out/run.png\n"
       "  ccmorse run syrotek --record run.mcap    with a record of all that happens\n"
       "  ccmorse replay run.mcap --verify         does that run come out the same again?\n"
-      "  ccmorse list                             the scenarios there are\n"
+      "  ccmorse list                             the scenarios and environments there are\n"
+      "  ccmorse create mine && ccmorse run mine  an environment of one's own\n"
       "`ccmorse run --help` explains the options of a run.");
 
   try {
-    app.parse(argc, argv);
+    app.parse(ccmorse::tools::ReversedWords(argc, argv));
   } catch (const CLI::ParseError& error) {
     constexpr int kUsage = 2;  // as other programs have it, where CLI11 counts from 100
     return app.exit(error) == 0 ? 0 : kUsage;
@@ -404,10 +425,20 @@ int Run(int argc, char** argv) {
       std::fputs(app.help().c_str(), stdout);
       return 0;
     }
+    if (const auto status = projects.Execute()) return *status;
     if (replay_command->parsed()) return ccmorse::tools::Replay(replay);
+    if (render_command->parsed()) {
+      const ccmorse::tools::Environments environments;
+      if (environments.Find(render.what)) {
+        const auto scene = ccmorse::tools::ChooseScene({render.what}, environments);
+        ccmorse::tools::PrepareScene(scene);
+        render.what = scene.file;
+        if (render.out.empty()) render.out = scene.name + ".png";
+      }
+    }
     if (render_command->parsed()) return ccmorse::tools::Render(render);
     if (convert_command->parsed()) return ccmorse::tools::Convert(convert);
-    if (list_command->parsed()) return ccmorse::tools::ListScenarios();
+    if (list_command->parsed()) return ccmorse::tools::List(list);
     if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);
     if (link_command->parsed()) ccmorse::tools::ExecuteBench("link", link);
     if (player_command->parsed()) ccmorse::tools::ExecuteBench("player", player);
@@ -416,6 +447,13 @@ int Run(int argc, char** argv) {
     if (batch_command->parsed()) return ccmorse::tools::Batch(batch);
     if (all_command->parsed()) return ccmorse::tools::BenchAll(all);
     if (fleet_command->parsed()) return ccmorse::tools::BenchFleet(fleet);
+    ccmorse::tools::TellOfMorseOptions(morse, program);
+    const ccmorse::tools::SceneChoice scene =
+        ccmorse::tools::ChooseScene(what, ccmorse::tools::Environments());
+    ccmorse::tools::PrepareScene(scene);
+    if (!scene.note.empty() && !run.quiet) ccmorse::LogInfo("{}", scene.note);
+    run.scenario = scene.file;
+    run.name = scene.name;
     return ccmorse::tools::Run(run);
   } catch (const ccmorse::Error& error) {
     std::fprintf(stderr, "ccmorse: %s\n", error.what());

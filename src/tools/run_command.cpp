@@ -166,6 +166,7 @@ int Run(const RunArguments& arguments) {
     if (note.matters) LogWarning("{}: {}", note.at.Text(), note.text);
   }
   scene::Scenario scenario = std::move(imported.scenario);
+  if (!arguments.name.empty()) scenario.name = arguments.name;
   if (!std::isfinite(arguments.seconds)) throw Error("--for must be a number of seconds");
   if (arguments.seed) scenario.seed = static_cast<std::uint64_t>(*arguments.seed);
 
@@ -286,11 +287,6 @@ int Convert(const ConvertArguments& arguments) {
   if (!(file << text) || !file.flush()) {
     throw Error("cannot write " + arguments.out + ": " + std::strerror(errno));
   }
-  return 0;
-}
-
-int ListScenarios() {
-  for (const std::string& name : scene::ListScenarios()) fmt::print("{}\n", name);
   return 0;
 }
 

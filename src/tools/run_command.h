@@ -10,6 +10,7 @@ namespace ccmorse::tools {
 /// What `ccmorse run` was asked for; what is not set comes from the scenario.
 struct RunArguments {
   std::string scenario;              ///< name or path
+  std::string name;                  ///< of the environment that it belongs to, or ""
   bool headless = false;             ///< no live view
   std::optional<std::string> pace;   ///< "real", "lockstep" or "max"
   double seconds = 0.0;              ///< simulated; 0: until stopped
@@ -50,8 +51,5 @@ struct ConvertArguments {
 /// `ccmorse convert`: writes a world of Stage or a .cfg of Player as a scenario, and names on
 /// standard error what a scenario cannot have. Returns the exit status. Throws Error.
 int Convert(const ConvertArguments& arguments);
-
-/// `ccmorse list`.
-int ListScenarios();
 
 }  // namespace ccmorse::tools

@@ -1,0 +1,16 @@
+#include "tools/command_line.h"
+
+namespace ccmorse::tools {
+
+void AddProjectCommands(CommandLine& line) {
+  AddCreateCommand(line);
+  AddImportCommand(line);
+  AddExportCommand(line);
+  AddRmCommand(line);
+  AddAddCommand(line);
+  AddEditCommand(line);
+  AddCheckCommand(line);
+  AddCompletionCommand(line);
+}
+
+}  // namespace ccmorse::tools
