@@ -9,6 +9,13 @@ void Extent::Add(const Vec3& point) {
   high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
 }
 
+std::string OneLine(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  }
+  return text;
+}
+
 Extent ExtentOf(const AssetObject& object) {
   Extent extent;
   for (const Vec3& vertex : object.vertices) extent.Add(vertex);

@@ -147,6 +147,9 @@ struct Extent {
 };
 
 Extent ExtentOf(const AssetObject& object);
+
+/// A text that may hold names of a file, for a line of output: control characters become '?'.
+std::string OneLine(std::string text);
 /// Of all objects that are shown.
 Extent ExtentOf(const AssetScene& scene);
 

@@ -724,8 +724,8 @@ class BlendReader {
     for (const Vec3& vertex : vertices) {
       object.vertices.push_back(matrix(vertex));
       if (!IsFinite(object.vertices.back())) {
-        throw Error(
-            fmt::format("{}: object '{}' reaches beyond all numbers", file_.name(), object.name));
+        throw Error(fmt::format("{}: object '{}' reaches beyond all numbers", file_.name(),
+                                OneLine(object.name)));
       }
     }
     const bool mirrored = matrix.Determinant() < 0.0;

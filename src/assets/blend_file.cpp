@@ -6,6 +6,7 @@
 #include <bit>
 #include <limits>
 
+#include "assets/asset_scene.h"
 #include "base/error.h"
 
 namespace ccmorse::assets {
@@ -242,7 +243,7 @@ double BlendFile::Float(std::size_t offset) const {
 }
 
 void BlendFile::Fail(std::size_t offset, const std::string& text) const {
-  throw Error(fmt::format("{}: offset {}: {}", name_, offset, text));
+  throw Error(fmt::format("{}: offset {}: {}", name_, offset, OneLine(text)));
 }
 
 std::span<const std::uint8_t> BlendRecord::Bytes(const std::string& name, std::size_t at,

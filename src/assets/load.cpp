@@ -116,6 +116,7 @@ AssetScene LoadAsset(const std::string& path, const AssetLimits& limits, LoadRep
     return ReadBytes(file, limits.bytes);
   };
   AssetScene scene = Read(path, find, limits);
+  for (std::string& text : scene.notes) text = OneLine(std::move(text));
   // A file that was looked for in vain is not noted: such a scene is not kept.
   const bool whole = std::none_of(scene.notes.begin(), scene.notes.end(), [](const auto& text) {
     return text.find("cannot read") != std::string::npos;

@@ -54,7 +54,7 @@ void ShapeBuilder::AddFace(const std::vector<int>& face, int material, AssetObje
 }
 
 void ShapeBuilder::Fail(const std::string& text) const {
-  throw Error(fmt::format("{}: {}", name_, text));
+  throw Error(fmt::format("{}: {}", name_, OneLine(text)));
 }
 
 Affine FromQuaternion(double w, Vec3 v) {

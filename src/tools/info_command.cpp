@@ -107,12 +107,12 @@ int Info(const InfoArguments& arguments) {
   for (const AssetObject& object : scene.objects) {
     std::string more = PhysicsText(object);
     for (const assets::AssetProperty& property : object.properties) {
-      more += fmt::format("; {} = {}", property.name, property.value.Dump());
+      more += fmt::format("; {} = {}", assets::OneLine(property.name), property.value.Dump());
     }
     if (!object.shown) more += "; not shown";
     if (object.hidden) more += "; hidden";
-    fmt::print("{:<{}}  {:<8}  {:<24}  {:>9}  {}\n", object.name, width, object.type,
-               SizeText(ExtentOf(object)), object.triangles.size(), more);
+    fmt::print("{:<{}}  {:<8}  {:<24}  {:>9}  {}\n", assets::OneLine(object.name), width,
+               object.type, SizeText(ExtentOf(object)), object.triangles.size(), more);
   }
   for (const std::string& note : scene.notes) fmt::print("not read: {}\n", note);
   return 0;
