@@ -9,6 +9,7 @@
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "render/vector_math.h"
+#include "scene/mesh.h"
 #include "scene/robots.h"
 #include "sim/sensors/laser_scanner.h"
 

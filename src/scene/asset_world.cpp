@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -83,6 +84,14 @@ class MeshMaker {
   bool opaque_ = false;
 };
 
+// A box or ball around it all that shows a sky: the game engine draws its inside only, and views
+// from outside would see nothing else.
+bool IsSky(const std::string& name) {
+  std::string small = name;
+  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return small.find("sky") != std::string::npos;
+}
+
 bool IsFar(const assets::Extent& extent) {
   return std::min({extent.low.x, extent.low.y, extent.low.z}) < -kFarthest ||
          std::max({extent.high.x, extent.high.y, extent.high.z}) > kFarthest;
@@ -127,7 +136,7 @@ std::vector<Mesh> MeshesOf(const assets::AssetScene& asset, int first_id,
     const bool touches = collides && object.physics.type != "SENSOR";
     mesh.solid = touches && !object.physics.ghost;
     mesh.visible = touches;
-    mesh.drawn = mesh.drawn && !object.hidden;
+    mesh.drawn = mesh.drawn && !object.hidden && !IsSky(object.name);
     meshes.push_back(std::move(mesh));
   }
   return meshes;
@@ -150,9 +159,11 @@ World WorldOf(const assets::AssetScene& asset, const std::string& name,
   assets::Extent extent;
   double ground = 0.0;
   for (const Mesh& mesh : world.meshes) {
+    if (!mesh.drawn) continue;
     for (const Vec3& vertex : mesh.vertices) extent.Add(vertex);
     ground += GroundArea(mesh);
   }
+  if (extent.empty()) extent = assets::ExtentOf(asset);
   world.corner = {extent.low.x, extent.low.y};
   world.size_x = extent.high.x - extent.low.x;
   world.size_y = extent.high.y - extent.low.y;
@@ -176,7 +187,7 @@ World WorldOf(const assets::AssetScene& asset, const std::string& name,
     const double length = std::sqrt(Dot(from, from));
     if (!(length > 0.0) || from.z <= 0.05 * length) continue;
     world.lights.push_back(
-        {"sun", (1.0 / length) * from, std::clamp(object.light->energy, 0.0, 1.5), true});
+        {"sun", (1.0 / length) * from, std::clamp(object.light->energy, 0.2, 1.0), true});
   }
   // One sun is what a picture is exposed for.
   if (world.lights.size() > 1) world.lights.resize(1);
@@ -203,11 +214,11 @@ Scenario ScenarioOfAsset(const std::string& path, std::vector<std::string>* note
   }
   if (notes != nullptr) notes->insert(notes->end(), asset.notes.begin(), asset.notes.end());
   const World& world = scenario.world;
-  const double size = std::max(world.size_x, world.size_y);
-  // From the south, downwards at 45 degrees, as far away as the scene is wide.
+  const double size = 0.5 * (world.size_x + world.size_y);
+  // From the south, downwards at 45 degrees, about as far away as the scene is wide.
   constexpr double kDown = 0.785;  // rad
   scenario.camera.rotation = {kDown, 0.0, 0.0};
-  const double away = std::min(0.85 * size, 0.9 * kFarthest);
+  const double away = std::min(0.95 * size, 0.9 * kFarthest);
   const auto within = [](double v) { return std::clamp(v, -kFarthest, kFarthest); };
   scenario.camera.position = {within(world.corner.x + world.size_x / 2.0),
                               within(world.corner.y + world.size_y / 2.0 - away), within(away)};

@@ -10,7 +10,8 @@ namespace ccmorse::scene {
 
 /// The meshes of the objects that the file shows, numbered from `first_id` on, in the world as they
 /// lie. What collides in MORSE (specs: morse.md H.4) is solid and seen by sensors; what it hides is
-/// not drawn. Adds to `notes` what is left out: what lies farther than 1 km from the origin.
+/// not drawn, nor is a box that is called a sky, which would hide all else. Adds to `notes` what is
+/// left out: what lies farther than 1 km from the origin.
 std::vector<Mesh> MeshesOf(const assets::AssetScene& asset, int first_id,
                            std::vector<std::string>* notes = nullptr);
 

@@ -15,10 +15,6 @@ using assets::Extent;
 
 Json Point(const Vec3& v) { return Json(Json::Array{v.x, v.y, v.z}); }
 
-Json SizeOf(const Extent& extent) {
-  return extent.empty() ? Json() : Point(extent.high - extent.low);
-}
-
 Json ToJson(const AssetScene& scene) {
   Json::Array objects;
   for (const AssetObject& object : scene.objects) {
