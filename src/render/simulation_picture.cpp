@@ -9,6 +9,7 @@
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "render/vector_math.h"
+#include "scene/mesh.h"
 #include "scene/robots.h"
 #include "sim/sensors/laser_scanner.h"
 
@@ -83,15 +84,21 @@ void AddRobot(const sim::Robot& robot, const Parts& parts, const PictureOptions&
 }
 
 void AddMesh(const scene::Mesh& mesh, PictureScene& scene) {
+  if (!mesh.drawn) return;
   const int material = scene.AddMaterial({Linear(mesh.color), 0.04, 0.6, false});
-  const Rotation rotation = FromEuler(mesh.rotation.x, mesh.rotation.y, mesh.rotation.z);
-  for (const auto& triangle : mesh.triangles) {
+  std::vector<int> of_palette;
+  for (const Color& color : mesh.palette) {
+    of_palette.push_back(scene.AddMaterial({Linear(color), 0.04, 0.6, false}));
+  }
+  const std::vector<Vec3> vertices = scene::PlacedVertices(mesh);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     std::array<Vec3, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] =
-          mesh.position + Rotate(rotation, mesh.vertices[static_cast<std::size_t>(triangle[k])]);
+      corners[k] = vertices[static_cast<std::size_t>(mesh.triangles[i][k])];
     }
-    scene.AddTriangle(corners, material);
+    const int own =
+        mesh.color_of.empty() ? material : of_palette[static_cast<std::size_t>(mesh.color_of[i])];
+    scene.AddTriangle(corners, own);
   }
 }
 
@@ -125,22 +132,31 @@ void AddFloor(const sim::Simulation& simulation, bool canvas_shown, PictureScene
   scene.floor_material = scene.AddMaterial({paper(floor), 0.03, 0.5, false});
   // A table that is darker than the floor, so that the arena stands out.
   scene.ground_material = scene.AddMaterial({{0.20, 0.22, 0.25}, 0.0, 0.9, false});
-  // A slab, so that the floor has an edge.
-  const std::vector<Vec2> outline = {
-      {0, 0}, {world.size_x, 0}, {world.size_x, world.size_y}, {0, world.size_y}};
-  scene.AddPrism({}, outline, -kGroundBelow, 0.0, 0.0, scene.floor_material);
+  const Vec2 low = world.corner;
+  const Vec2 high = low + Vec2{world.size_x, world.size_y};
+  double table = -kGroundBelow;
+  if (world.has_floor) {
+    // A slab, so that the floor has an edge.
+    const std::vector<Vec2> outline = {low, {high.x, low.y}, high, {low.x, high.y}};
+    scene.AddPrism({}, outline, -kGroundBelow, 0.0, 0.0, scene.floor_material);
+  } else {
+    for (const scene::Mesh& mesh : world.meshes) {
+      for (const Vec3& vertex : scene::PlacedVertices(mesh)) {
+        table = std::min(table, vertex.z - kGroundBelow);
+      }
+    }
+  }
   const double size = std::max(world.size_x, world.size_y);
-  scene.middle = {world.size_x / 2.0, world.size_y / 2.0};
+  scene.middle = 0.5 * (low + high);
   scene.fade_from = 1.0 * size;
   const Vec2 half{2.1 * size, 2.1 * size};
-  AddRectangle(scene.middle - half, scene.middle + half, -kGroundBelow, scene.ground_material,
-               scene);
+  AddRectangle(scene.middle - half, scene.middle + half, table, scene.ground_material, scene);
   if (!canvas_shown) return;
   const sim::Canvas& canvas = simulation.canvas();
   const double alpha = simulation.scenario().canvas.alpha;
-  scene.floor_color = [&canvas, alpha, floor, paper](double x, double y) {
-    const auto column = static_cast<int>(std::floor(x / canvas.cell_size()));
-    const auto row = static_cast<int>(std::floor(y / canvas.cell_size()));
+  scene.floor_color = [&canvas, alpha, floor, low, paper](double x, double y) {
+    const auto column = static_cast<int>(std::floor((x - low.x) / canvas.cell_size()));
+    const auto row = static_cast<int>(std::floor((y - low.y) / canvas.cell_size()));
     if (!canvas.Contains(column, row) || !canvas.IsDrawn(column, row)) return paper(floor);
     return paper(alpha * Linear(canvas.GetPixel(column, row)) + (1.0 - alpha) * floor);
   };
@@ -194,7 +210,8 @@ Camera FindCamera(const sim::Simulation& simulation, const std::string& name, do
   if (kind == "top") {
     const auto [s, c] = SinCos(Radians(Camera{}.fov_deg / 2.0));
     const double half = std::max(world.size_y, world.size_x / aspect) / 2.0;
-    const Vec3 middle{world.size_x / 2.0, world.size_y / 2.0, 0.0};
+    const Vec3 middle{world.corner.x + world.size_x / 2.0, world.corner.y + world.size_y / 2.0,
+                      0.0};
     return Camera::LookAt(middle + Vec3{0.0, 0.0, 1.06 * half * c / s}, middle);
   }
   if (kind == "follow" || kind == "robot") {

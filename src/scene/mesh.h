@@ -7,6 +7,12 @@
 
 namespace ccmorse::scene {
 
+/// What a viewer shows of one of the mesh's triangles. Precondition: it has so many.
+inline Color ColorOf(const Mesh& mesh, std::size_t triangle) {
+  if (mesh.color_of.empty()) return mesh.color;
+  return mesh.palette[static_cast<std::size_t>(mesh.color_of[triangle])];
+}
+
 /// The mesh's vertices in the world, m.
 std::vector<Vec3> PlacedVertices(const Mesh& mesh);
 

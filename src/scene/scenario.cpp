@@ -10,10 +10,12 @@
 #include <set>
 #include <utility>
 
+#include "assets/load.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/polygon.h"
 #include "base/trig.h"
+#include "scene/asset_world.h"
 #include "scene/field.h"
 #include "scene/mesh.h"
 #include "scene/obstacle_rules.h"
@@ -76,6 +78,13 @@ World ReadWorldChoice(const Field& field) {
     name.FailHere(fmt::format("is {}, which no file is called", Quoted(name.Text())));
   }
   const std::filesystem::path folder = std::filesystem::path(field.file()).parent_path();
+  if (assets::IsAssetName(name.Text())) {
+    try {
+      return LoadAssetWorld(assets::FindAsset(name.Text(), folder.string()));
+    } catch (const Error& error) {
+      name.Fail(error.what());
+    }
+  }
   const std::filesystem::path path = folder / name.Text();
   try {
     return LoadWorld(path.string());
@@ -522,7 +531,9 @@ std::string ProblemOfPlace(const Scenario& scenario, const std::vector<MeshPart>
   const std::vector<Vec2> outline = Outline(robot);
   const World& world = scenario.world;
   for (const Vec2 corner : outline) {
-    if (corner.x < 0.0 || corner.y < 0.0 || corner.x > world.size_x || corner.y > world.size_y) {
+    const Vec2 on_floor = corner - world.corner;
+    if (on_floor.x < 0.0 || on_floor.y < 0.0 || on_floor.x > world.size_x ||
+        on_floor.y > world.size_y) {
       return fmt::format("{} does not stand on the floor of world '{}', {} x {} m; move it", who,
                          world.name, world.size_x, world.size_y);
     }

@@ -40,8 +40,11 @@ struct Mesh {
   Vec3 position;                              ///< m, of the mesh's origin in the world
   Vec3 rotation;                              ///< roll, pitch, yaw, rad: Rz(yaw) Ry(pitch) Rx(roll)
   Color color{160, 160, 160};                 ///< what a viewer shows
-  bool solid = true;                          ///< robots run into it
-  bool visible = true;                        ///< sensors see it
+  std::vector<Color> palette;  ///< further colours, for triangles that have their own
+  std::vector<int> color_of;   ///< index of palette by triangle; empty: all `color`
+  bool solid = true;           ///< robots run into it
+  bool visible = true;         ///< sensors see it
+  bool drawn = true;           ///< a viewer shows it
 };
 
 /// A lamp of the world (thesis 4.1.1, W07); only views use it.
@@ -52,11 +55,17 @@ struct Light {
   bool shadows = false;  ///< casts shadows
 };
 
-/// The world: a rectangular floor with boxes on it; the origin is the floor's bottom-left corner.
+/// The world: a rectangular floor with boxes on it; the origin is the floor's bottom-left corner
+/// unless `corner` says otherwise.
 struct World {
   std::string name;     ///< "syrotek"
   double size_x = 0.0;  ///< m, > 0
   double size_y = 0.0;  ///< m, > 0
+  /// The floor's bottom-left corner, m: MORSE's environments lie around the origin.
+  Vec2 corner;
+  /// The floor is drawn, and beams end at it. Without, meshes are the ground, and the floor is only
+  /// where robots may stand.
+  bool has_floor = true;
   /// Where the origin of coordinates lies that Player's clients know, m: what Stage calls (0, 0) is
   /// the middle of most of its worlds, here it is `origin` (specs: player.md C.3).
   Vec2 origin;
@@ -266,9 +275,10 @@ struct Scenario {
 
 /// Reads and checks a scenario. `file` names it in messages; names of files in it start from the
 /// folder of `file`. "world" is a world's name ("syrotek"), {"file": "..."} or a world in full; all
-/// that a scenario leaves out has a default. Throws Error "FILE:LINE: ..." with the key and the
-/// nearest known one, also for a robot that stands in a raised box, in another robot or beside the
-/// floor.
+/// that a scenario leaves out has a default; the file of a world or a mesh may be one of shapes,
+/// such as MORSE's .blend (assets/load.h), which is also looked for in MORSE's folders. Throws
+/// Error "FILE:LINE: ..." with the key and the nearest known one, also for a robot that stands in a
+/// raised box, in another robot or beside the floor.
 Scenario ParseScenario(const std::string& text, const std::string& file);
 Scenario LoadScenario(const std::string& file);
 

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <map>
 #include <utility>
 
+#include "assets/load.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/trig.h"
+#include "scene/asset_world.h"
 
 namespace ccmorse::scene {
 namespace {
@@ -130,11 +134,72 @@ std::array<int, 3> ReadTriangle(const Field& field, const std::vector<Vec3>& ver
   return triangle;
 }
 
+// What meshes of both kinds have: place, colour, and whom they concern.
+void FinishMesh(ObjectReader& reader, Mesh& mesh) {
+  mesh.position = reader.Vector("position", mesh.position, kLargestSize);
+  mesh.rotation = reader.Vector("rotation", mesh.rotation, 20.0 * kPi);
+  mesh.color = reader.ReadColor("color", mesh.color);
+  mesh.solid = reader.Bool("solid", mesh.solid);
+  mesh.visible = reader.Bool("visible", mesh.visible);
+  mesh.drawn = reader.Bool("drawn", mesh.drawn);
+  reader.Finish();
+}
+
+// Has each triangle a colour of its own?
+void ReadPalette(ObjectReader& reader, Mesh& mesh) {
+  if (!reader.Has("color_of")) return;
+  for (const Field& color : reader.Require("palette").Items()) {
+    mesh.palette.push_back(color.ReadColor());
+  }
+  const Field color_of = reader.Require("color_of");
+  const auto last = static_cast<std::int64_t>(mesh.palette.size()) - 1;
+  for (const Field& index : color_of.Items()) {
+    mesh.color_of.push_back(static_cast<int>(index.Integer(0, last)));
+  }
+  if (mesh.color_of.size() != mesh.triangles.size()) {
+    color_of.FailHere(fmt::format("has {} numbers, must have one for each of {} triangles",
+                                  mesh.color_of.size(), mesh.triangles.size()));
+  }
+}
+
+// The shapes of another file as one mesh.
+void ReadMeshFile(ObjectReader& reader, Mesh& mesh) {
+  const Field file = reader.Require("file");
+  const double scale = reader.Number("scale", 1.0, {0.0, kLargestSize, true});
+  try {
+    const std::string folder = std::filesystem::path(file.file()).parent_path().string();
+    Mesh merged = MergedMesh(assets::LoadAsset(assets::FindAsset(file.Text(), folder)));
+    merged.id = mesh.id;
+    merged.name = mesh.name;
+    mesh = std::move(merged);
+  } catch (const Error& error) {
+    file.Fail(error.what());
+  }
+  if (mesh.triangles.empty()) file.FailHere("has nothing that has a surface");
+  for (Vec3& vertex : mesh.vertices) {
+    vertex = scale * vertex;
+    if (!(std::max({std::fabs(vertex.x), std::fabs(vertex.y), std::fabs(vertex.z)}) <=
+          kLargestSize)) {
+      file.FailHere(
+          fmt::format("reaches farther than {} m; give it another 'scale'", kLargestSize));
+    }
+  }
+  if (reader.Has("color")) {
+    mesh.palette.clear();
+    mesh.color_of.clear();
+  }
+}
+
 Mesh ReadMesh(const Field& field) {
   ObjectReader reader(field);
   Mesh mesh;
   mesh.id = static_cast<int>(reader.Require("id").Integer(1, 1000000));
   if (reader.Has("name")) mesh.name = reader.Require("name").Identifier();
+  if (reader.Has("file")) {
+    ReadMeshFile(reader, mesh);
+    FinishMesh(reader, mesh);
+    return mesh;
+  }
   const Field vertices = reader.Require("vertices");
   for (const Field& vertex : vertices.Items()) {
     mesh.vertices.push_back(vertex.Vector(kLargestSize));
@@ -147,12 +212,8 @@ Mesh ReadMesh(const Field& field) {
     mesh.triangles.push_back(ReadTriangle(triangle, mesh.vertices));
   }
   if (mesh.triangles.empty()) triangles.FailHere("is empty, must have a triangle or more");
-  mesh.position = reader.Vector("position", mesh.position, kLargestSize);
-  mesh.rotation = reader.Vector("rotation", mesh.rotation, 20.0 * kPi);
-  mesh.color = reader.ReadColor("color", mesh.color);
-  mesh.solid = reader.Bool("solid", mesh.solid);
-  mesh.visible = reader.Bool("visible", mesh.visible);
-  reader.Finish();
+  ReadPalette(reader, mesh);
+  FinishMesh(reader, mesh);
   return mesh;
 }
 
@@ -193,9 +254,26 @@ Json MeshToJson(const Mesh& mesh) {
                                {"position", VectorToJson(mesh.position)},
                                {"rotation", VectorToJson(mesh.rotation)},
                                {"color", ColorText(mesh.color)}});
+  if (!mesh.color_of.empty()) {
+    Json::Array palette;
+    for (const Color& color : mesh.palette) palette.emplace_back(ColorText(color));
+    Json::Array color_of(mesh.color_of.begin(), mesh.color_of.end());
+    object.emplace_back("palette", std::move(palette));
+    object.emplace_back("color_of", std::move(color_of));
+  }
   AddUnlessTrue("solid", mesh.solid, object);
   AddUnlessTrue("visible", mesh.visible, object);
+  AddUnlessTrue("drawn", mesh.drawn, object);
   return object;
+}
+
+// [x, y] in the world, m.
+Vec2 ReadPoint(const Field& field) {
+  const std::vector<Field> place = field.Items();
+  if (place.size() != 2) {
+    field.FailHere(fmt::format("has {} numbers, must be [x, y]", place.size()));
+  }
+  return {place[0].Number(kCoordinate), place[1].Number(kCoordinate)};
 }
 
 Light ReadLight(const Field& field) {
@@ -221,15 +299,13 @@ World ReadWorld(const Field& field) {
   if (sides.size() != 2) size.FailHere(fmt::format("has {} numbers, must be [x, y]", sides.size()));
   world.size_x = sides[0].Number(kSize);
   world.size_y = sides[1].Number(kSize);
-  if (reader.Has("origin")) {
-    const Field origin = reader.Require("origin");
-    const std::vector<Field> place = origin.Items();
-    if (place.size() != 2) {
-      origin.FailHere(fmt::format("has {} numbers, must be [x, y]", place.size()));
-    }
-    world.origin = {place[0].Number(kCoordinate), place[1].Number(kCoordinate)};
+  if (reader.Has("corner")) world.corner = ReadPoint(reader.Require("corner"));
+  if (reader.Has("origin")) world.origin = ReadPoint(reader.Require("origin"));
+  if (reader.Has("floor") && reader.Require("floor").value().IsBool()) {
+    world.has_floor = reader.Require("floor").Bool();
+  } else {
+    world.floor = reader.ReadColor("floor", world.floor);
   }
-  world.floor = reader.ReadColor("floor", world.floor);
   std::map<std::string, Look> kinds;
   if (reader.Has("kinds")) kinds = ReadKinds(reader.Require("kinds"));
   if (reader.Has("boxes")) world.boxes = ReadBoxes(reader.Require("boxes"), kinds);
@@ -285,14 +361,18 @@ Json WorldToJson(const World& world) {
                                      {"energy", light.energy},
                                      {"shadows", light.shadows}});
   }
-  return Json::Object{{"name", world.name},
-                      {"size", Json::Array{world.size_x, world.size_y}},
-                      {"origin", Json::Array{world.origin.x, world.origin.y}},
-                      {"floor", ColorText(world.floor)},
-                      {"boxes", std::move(boxes)},
-                      {"meshes", std::move(meshes)},
-                      {"docks", std::move(docks)},
-                      {"lights", std::move(lights)}};
+  Json::Object object = {{"name", world.name},
+                         {"size", Json::Array{world.size_x, world.size_y}},
+                         {"origin", Json::Array{world.origin.x, world.origin.y}},
+                         {"floor", world.has_floor ? Json(ColorText(world.floor)) : Json(false)},
+                         {"boxes", std::move(boxes)},
+                         {"meshes", std::move(meshes)},
+                         {"docks", std::move(docks)},
+                         {"lights", std::move(lights)}};
+  if (world.corner.x != 0.0 || world.corner.y != 0.0) {
+    object.emplace_back("corner", Json::Array{world.corner.x, world.corner.y});
+  }
+  return object;
 }
 
 Pose2 ReadPose(const Field& field) {

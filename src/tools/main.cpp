@@ -18,6 +18,7 @@
 #include "tools/bench_program.h"
 #include "tools/command_line.h"
 #include "tools/fleet_bench.h"
+#include "tools/info_command.h"
 #include "tools/list_command.h"
 #include "tools/morse_options.h"
 #include "tools/rays_bench.h"
@@ -307,9 +308,10 @@ int Run(int argc, char** argv) {
       "docs/records.md tells what a record holds and how to open it elsewhere.");
 
   ccmorse::tools::ConvertArguments convert;
-  CLI::App* const convert_command =
-      app.add_subcommand("convert", "write a world of Stage or a .cfg of Player as a scenario");
-  convert_command->add_option("file", convert.file, "a .world or a .cfg")
+  CLI::App* const convert_command = app.add_subcommand(
+      "convert", "write a world of Stage, a .cfg of Player or a .blend as a scenario");
+  convert_command
+      ->add_option("file", convert.file, "a .world, a .cfg or a file of shapes (docs/assets.md)")
       ->required()
       ->type_name("FILE");
   convert_command->add_option("-o,--out", convert.out, "where to  [standard output]")
@@ -318,6 +320,17 @@ int Run(int argc, char** argv) {
       "Example:\n"
       "  ccmorse convert simple.world -o simple.json && ccmorse run simple.json\n"
       "What a scenario cannot have is named with its file and line (docs/scenario.md).");
+
+  ccmorse::tools::InfoArguments info;
+  CLI::App* const info_command = app.add_subcommand(
+      "info", "what a file of shapes holds: objects, sizes, physics (docs/assets.md)");
+  info_command
+      ->add_option("file", info.file,
+                   "a .blend, .gltf, .glb, .obj, .stl or .dae; also of $MORSE_RESOURCE_PATH and of "
+                   "MORSE's own, as environments/sandbox.blend")
+      ->required()
+      ->type_name("FILE");
+  info_command->add_flag("--json", info.json, "for programs");
 
   ccmorse::tools::RenderArguments render;
   CLI::App* const render_command = app.add_subcommand(
@@ -438,6 +451,7 @@ int Run(int argc, char** argv) {
     }
     if (render_command->parsed()) return ccmorse::tools::Render(render);
     if (convert_command->parsed()) return ccmorse::tools::Convert(convert);
+    if (info_command->parsed()) return ccmorse::tools::Info(info);
     if (list_command->parsed()) return ccmorse::tools::List(list);
     if (rays_command->parsed()) return ccmorse::tools::BenchRays(rays);
     if (link_command->parsed()) ccmorse::tools::ExecuteBench("link", link);

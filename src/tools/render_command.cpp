@@ -15,6 +15,7 @@
 #include "base/image.h"
 #include "render/path_tracer.h"
 #include "render/simulation_picture.h"
+#include "scene/player/import.h"
 #include "servers/record/replay.h"
 
 namespace ccmorse::tools {
@@ -47,7 +48,7 @@ render::Camera CameraFrom(const RenderArguments& arguments, const sim::Simulatio
   }
   const auto& from = arguments.from;
   const scene::World& world = simulation.world().scene();
-  Vec3 at{world.size_x / 2.0, world.size_y / 2.0, 0.0};
+  Vec3 at{world.corner.x + world.size_x / 2.0, world.corner.y + world.size_y / 2.0, 0.0};
   if (!arguments.at.empty()) at = {arguments.at[0], arguments.at[1], arguments.at[2]};
   return render::Camera::LookAt({from[0], from[1], from[2]}, at);
 }
@@ -96,7 +97,7 @@ int Render(const RenderArguments& arguments) {
     name = std::filesystem::path(arguments.what).stem().string();
   } else {
     own = std::make_unique<sim::Simulation>(
-        scene::LoadScenario(scene::FindScenario(arguments.what)), arguments.threads);
+        scene::ImportScenario(scene::FindScenario(arguments.what)).scenario, arguments.threads);
     own->Sense();
     while (own->time() < arguments.time.value_or(0.0)) {
       own->Act();

@@ -218,21 +218,32 @@ void AddBox(const Box& box, Vec2 slope, std::vector<Patch>& rims, std::vector<Pa
 
 // A mesh from above: its triangles from the lowest up, darker the steeper they are.
 void AddMesh(const scene::Mesh& mesh, std::vector<Patch>& patches) {
+  if (!mesh.drawn) return;
   const std::vector<Vec3> vertices = scene::PlacedVertices(mesh);
-  std::vector<std::array<Vec3, 3>> triangles;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    triangles.push_back({vertices[static_cast<std::size_t>(a)],
-                         vertices[static_cast<std::size_t>(b)],
-                         vertices[static_cast<std::size_t>(c)]});
+  struct Triangle {
+    std::array<Vec3, 3> corners;
+    Color color;
+  };
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    triangles.push_back(
+        {{vertices[static_cast<std::size_t>(a)], vertices[static_cast<std::size_t>(b)],
+          vertices[static_cast<std::size_t>(c)]},
+         scene::ColorOf(mesh, i)});
   }
-  std::stable_sort(triangles.begin(), triangles.end(), [](const auto& one, const auto& other) {
-    return one[0].z + one[1].z + one[2].z < other[0].z + other[1].z + other[2].z;
-  });
-  for (const auto& [a, b, c] : triangles) {
+  const auto height = [](const Triangle& triangle) {
+    return triangle.corners[0].z + triangle.corners[1].z + triangle.corners[2].z;
+  };
+  std::stable_sort(
+      triangles.begin(), triangles.end(),
+      [height](const Triangle& one, const Triangle& other) { return height(one) < height(other); });
+  for (const Triangle& triangle : triangles) {
+    const auto& [a, b, c] = triangle.corners;
     const Vec3 normal = Cross(b - a, c - a);
     const double level = std::fabs(normal.z) / std::sqrt(Dot(normal, normal));
     patches.push_back(
-        {{{a.x, a.y}, {b.x, b.y}, {c.x, c.y}}, Shade(mesh.color, 0.5 + 0.5 * level), 1.0});
+        {{{a.x, a.y}, {b.x, b.y}, {c.x, c.y}}, Shade(triangle.color, 0.5 + 0.5 * level), 1.0});
   }
 }
 
@@ -316,8 +327,8 @@ Frame MakeFrame(const TopView& view) {
   const scene::World& world = *view.world;
   Frame frame;
   frame.scale = view.pixels_per_metre * kSamples;
-  frame.left = -view.margin;
-  frame.top = world.size_y + view.margin;
+  frame.left = world.corner.x - view.margin;
+  frame.top = world.corner.y + world.size_y + view.margin;
   const auto side = [&view](double metres) {
     const double pixels = std::ceil((metres + 2.0 * view.margin) * view.pixels_per_metre - 1e-6);
     if (!(pixels <= kLargestSide)) {
@@ -418,15 +429,17 @@ class Painter {
   }
 
   Color Ground(Vec2 point, double floor_light) const {
-    if (point.x < 0.0 || point.y < 0.0 || point.x > world_.size_x || point.y > world_.size_y) {
+    const Vec2 on_floor = point - world_.corner;
+    if (on_floor.x < 0.0 || on_floor.y < 0.0 || on_floor.x > world_.size_x ||
+        on_floor.y > world_.size_y) {
       return kBackground;
     }
     const Color floor =
         Shade(world_.floor, IsOnGrid(point) ? floor_light * kGridShade : floor_light);
     const TopViewCanvas& canvas = view_.canvas;
     if (canvas.width == 0) return floor;
-    const auto x = static_cast<int>(point.x / canvas.cell_size);
-    const auto y = static_cast<int>(point.y / canvas.cell_size);
+    const auto x = static_cast<int>(on_floor.x / canvas.cell_size);
+    const auto y = static_cast<int>(on_floor.y / canvas.cell_size);
     if (x >= canvas.width || y >= canvas.height) return floor;
     const auto cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(canvas.width) +
                       static_cast<std::size_t>(x);
@@ -514,8 +527,9 @@ Image RenderTopView(const TopView& view) {
 }
 
 Pixel PixelOf(const TopView& view, Vec2 point) {
-  const double x = (point.x + view.margin) * view.pixels_per_metre;
-  const double y = (view.world->size_y + view.margin - point.y) * view.pixels_per_metre;
+  const scene::World& world = *view.world;
+  const double x = (point.x - world.corner.x + view.margin) * view.pixels_per_metre;
+  const double y = (world.corner.y + world.size_y + view.margin - point.y) * view.pixels_per_metre;
   return {static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y))};
 }
 

@@ -18,6 +18,8 @@ export interface Mesh {
   position: [number, number, number];
   rotation: [number, number, number];
   color: number;
+  palette: number[];
+  color_of: number[]; // index of palette by triangle; empty: all have color
   vertices: [number, number, number][];
   triangles: [number, number, number][];
 }
@@ -74,7 +76,8 @@ export interface Scene {
   world: string;
   size_x: number;
   size_y: number;
-  floor: number;
+  corner: [number, number]; // of the floor, m
+  floor: number | null; // null: meshes are the ground
   boxes: Box[];
   meshes: Mesh[];
   lights: Light[];

@@ -22,5 +22,8 @@ export function prism(outline: [number, number][], bottom: number, top: number):
 /** Physically based where the picture may cost, else plain diffuse. */
 export function surface(quality: Quality, options: THREE.MeshStandardMaterialParameters): THREE.Material {
   if (quality === "high") return new THREE.MeshStandardMaterial(options);
-  return new THREE.MeshLambertMaterial({ color: options.color, side: options.side ?? THREE.FrontSide });
+  return new THREE.MeshLambertMaterial({
+    color: options.color, side: options.side ?? THREE.FrontSide,
+    vertexColors: options.vertexColors ?? false,
+  });
 }

@@ -26,6 +26,11 @@ const WIDE = 1.5; // times as wide as high, or more
 const WIDEST = 80; // degrees
 const SLAB_COLOR = 0x5c636b; // beneath the floor
 
+function middleOf(scene: Scene): THREE.Vector3 {
+  return new THREE.Vector3(
+    scene.corner[0] + scene.size_x / 2, scene.corner[1] + scene.size_y / 2, 0);
+}
+
 // Low where a processor has to draw, and where the page's address says ?quality=low.
 function chooseQuality(): Quality {
   const asked = new URLSearchParams(location.search).get("quality");
@@ -323,9 +328,18 @@ export class Stage {
       geometry.setIndex(mesh.triangles.flat());
       const flat = geometry.toNonIndexed();
       flat.computeVertexNormals();
+      const own = mesh.color_of.length > 0;
+      if (own) {
+        const palette = mesh.palette.map((color) => new THREE.Color(color).toArray());
+        const colors = mesh.color_of.flatMap((i) => [palette[i]!, palette[i]!, palette[i]!].flat());
+        flat.setAttribute("color", new THREE.Float32BufferAttribute(colors, 3));
+      }
       const body = new THREE.Mesh(
         flat,
-        surface(this.quality, { color: mesh.color, roughness: 0.7, side: THREE.DoubleSide }),
+        surface(this.quality, {
+          color: own ? 0xffffff : mesh.color, roughness: 0.7, side: THREE.DoubleSide,
+          vertexColors: own,
+        }),
       );
       body.position.set(...mesh.position);
       body.rotation.set(...mesh.rotation, "ZYX");
@@ -397,7 +411,7 @@ export class Stage {
     this.controls.enabled = kind !== "robot";
     const scene = this.scene;
     if (scene === null) return;
-    const middle = new THREE.Vector3(scene.size_x / 2, scene.size_y / 2, 0);
+    const middle = middleOf(scene);
     if (kind === "orbit") {
       // The scenario's camera: Euler angles XYZ, (0, 0, 0) looks straight down.
       const { position, rotation } = scene.camera;
@@ -515,25 +529,26 @@ export class Stage {
   }
 
   private addFloor(scene: Scene): void {
+    if (scene.floor === null) return;
     const slab = surface(this.quality, { color: SLAB_COLOR, roughness: 0.9 });
     const top = surface(this.quality, { color: scene.floor, roughness: 0.9 });
     const floor = new THREE.Mesh(
       new THREE.BoxGeometry(scene.size_x, scene.size_y, 0.04), [slab, slab, slab, slab, top, slab]);
-    floor.position.set(scene.size_x / 2, scene.size_y / 2, -0.02);
+    floor.position.copy(middleOf(scene)).setZ(-0.02);
     floor.receiveShadow = true;
     this.content.add(floor);
     const around = new THREE.Mesh(
       new THREE.CircleGeometry(40 * Math.max(1, scene.size_x, scene.size_y), 64),
       new THREE.ShadowMaterial({ opacity: 0.16 }),
     );
-    around.position.set(scene.size_x / 2, scene.size_y / 2, -0.04);
+    around.position.copy(middleOf(scene)).setZ(-0.04);
     around.receiveShadow = true;
     this.content.add(around);
   }
 
   private addLights(scene: Scene): void {
     const size = Math.max(scene.size_x, scene.size_y);
-    const middle = new THREE.Vector3(scene.size_x / 2, scene.size_y / 2, 0);
+    const middle = middleOf(scene);
     const sunAt = scene.lights.find((light) => light.kind === "sun")?.position;
     const sun = new THREE.DirectionalLight(0xfff4e2, 2.1);
     const from = new THREE.Vector3(...(sunAt ?? [-0.5, -0.7, 1.4])).normalize();
@@ -579,7 +594,8 @@ export class Stage {
           depthWrite: false, toneMapped: false,
         }),
       );
-      this.canvasPlane.position.set((cell * width) / 2, (cell * height) / 2, 0.002);
+      this.canvasPlane.position.set(
+        scene.corner[0] + (cell * width) / 2, scene.corner[1] + (cell * height) / 2, 0.002);
       this.canvasPlane.renderOrder = 1;
       this.canvasPlane.visible = this.groundCanvas;
       this.content.add(this.canvasPlane);

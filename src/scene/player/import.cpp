@@ -7,7 +7,9 @@
 #include <set>
 #include <utility>
 
+#include "assets/load.h"
 #include "base/nearest_name.h"
+#include "scene/asset_world.h"
 #include "scene/field.h"
 
 namespace ccmorse::scene {
@@ -192,6 +194,19 @@ ImportedScenario ImportScenario(const std::string& file) {
   if (ending == ".world") {
     StageWorld world = ParseStageWorld(ReadFile(file), file);
     return {std::move(world.scenario), std::move(world.notes)};
+  }
+  if (assets::IsAssetName(file)) {
+    std::vector<std::string> texts;
+    ImportedScenario imported;
+    imported.scenario = ScenarioOfAsset(file, &texts);
+    for (const std::string& text : texts) {
+      FileNote& note = imported.notes.emplace_back();
+      note.at.file = file;
+      note.at.line = 1;
+      note.text = text;
+      note.matters = false;
+    }
+    return imported;
   }
   return {LoadScenario(file), {}};
 }

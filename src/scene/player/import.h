@@ -16,8 +16,8 @@ struct ImportedScenario {
   std::vector<FileNote> notes;  ///< none for a scenario's own file
 };
 
-/// Reads a scenario (.json), a .cfg of Player or a .world of Stage, by the file's ending. Throws
-/// Error "FILE:LINE: ...".
+/// Reads a scenario (.json), a .cfg of Player, a .world of Stage or a file of shapes
+/// (assets/load.h), by the file's ending. Throws Error "FILE:LINE: ...".
 ImportedScenario ImportScenario(const std::string& file);
 
 /// The scenario of a .cfg: of the world its Stage driver names, with `player` set; of a .cfg for

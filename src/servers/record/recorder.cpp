@@ -261,8 +261,11 @@ void Recorder::WriteScene() {
   const scene::World& world = simulation_.world().scene();
   Json::Array cubes;
   constexpr double kThin = 0.001;  // m
-  cubes.push_back(CubeJson({world.size_x / 2.0, world.size_y / 2.0, -kThin / 2.0}, 0.0,
-                           {world.size_x, world.size_y, kThin}, world.floor));
+  if (world.has_floor) {
+    cubes.push_back(CubeJson(
+        {world.corner.x + world.size_x / 2.0, world.corner.y + world.size_y / 2.0, -kThin / 2.0},
+        0.0, {world.size_x, world.size_y, kThin}, world.floor));
+  }
   for (const scene::Box& box : world.boxes) {
     if (!box.raised) continue;
     cubes.push_back(CubeJson({box.pose.x, box.pose.y, box.height / 2.0}, box.pose.yaw,

@@ -98,16 +98,22 @@ std::string ViewModel::Scene(const Json& more) const {
   }
   Json::Array meshes;
   for (const scene::Mesh& mesh : world.meshes) {
+    if (!mesh.drawn) continue;
     Json::Array vertices;
     for (const Vec3& vertex : mesh.vertices) vertices.push_back(Point(vertex));
     Json::Array triangles;
     for (const auto& t : mesh.triangles) triangles.push_back(Json::Array{t[0], t[1], t[2]});
-    meshes.push_back(Json::Object{{"id", mesh.id},
-                                  {"position", Point(mesh.position)},
-                                  {"rotation", Point(mesh.rotation)},
-                                  {"color", Hex(mesh.color)},
-                                  {"vertices", std::move(vertices)},
-                                  {"triangles", std::move(triangles)}});
+    Json::Array palette;
+    for (const Color& color : mesh.palette) palette.push_back(Hex(color));
+    meshes.push_back(
+        Json::Object{{"id", mesh.id},
+                     {"position", Point(mesh.position)},
+                     {"rotation", Point(mesh.rotation)},
+                     {"color", Hex(mesh.color)},
+                     {"palette", std::move(palette)},
+                     {"color_of", Json::Array(mesh.color_of.begin(), mesh.color_of.end())},
+                     {"vertices", std::move(vertices)},
+                     {"triangles", std::move(triangles)}});
   }
   Json::Array lights;
   for (const scene::Light& light : world.lights) {
@@ -152,7 +158,8 @@ std::string ViewModel::Scene(const Json& more) const {
                           {"world", world.name},
                           {"size_x", world.size_x},
                           {"size_y", world.size_y},
-                          {"floor", Hex(world.floor)},
+                          {"corner", Json::Array{world.corner.x, world.corner.y}},
+                          {"floor", world.has_floor ? Json(Hex(world.floor)) : Json()},
                           {"boxes", std::move(boxes)},
                           {"meshes", std::move(meshes)},
                           {"lights", std::move(lights)},

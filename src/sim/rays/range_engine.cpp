@@ -124,11 +124,11 @@ void RangeEngine::Trace(BeamFan& fan, const Pose2& robot, double origin_height, 
 }
 
 void RangeEngine::MeetFloor(const Ray& ray, RayHit& hit) const {
-  if (!(ray.direction.z < 0.0)) return;
+  const scene::World& world = world_.scene();
+  if (!(ray.direction.z < 0.0) || !world.has_floor) return;
   const double distance = -ray.origin.z / ray.direction.z;
   if (!(distance >= 0.0 && distance < hit.distance)) return;
-  const Vec3 at = ray.origin + distance * ray.direction;
-  const scene::World& world = world_.scene();
+  const Vec3 at = ray.origin + distance * ray.direction - Vec3{world.corner.x, world.corner.y, 0.0};
   if (at.x < 0.0 || at.y < 0.0 || at.x > world.size_x || at.y > world.size_y) return;
   hit = {distance, {HitKind::kFloor, 0, 0}};
 }
@@ -225,7 +225,9 @@ void RangeEngine::Build() const {
     if (is_new) models.push_back(HullTriangles(robot->model()));
     model_of.push_back(model->second);
   }
-  triangles_->Build(fixed, models, model_of, std::max({extent_, world.size_x, world.size_y}));
+  const double far_x = std::max(std::fabs(world.corner.x), world.size_x + world.corner.x);
+  const double far_y = std::max(std::fabs(world.corner.y), world.size_y + world.corner.y);
+  triangles_->Build(fixed, models, model_of, std::max({extent_, far_x, far_y}));
   built_revision_ = world_.revision();
 }
 
