@@ -127,10 +127,10 @@ void AddFloor(const sim::Simulation& simulation, bool canvas_shown, PictureScene
   scene.ground_material = scene.AddMaterial({{0.20, 0.22, 0.25}, 0.0, 0.9, false});
   // A slab, so that the floor has an edge.
   const std::vector<Vec2> outline = {
-      {0, 0}, {world.size_x, 0}, {world.size_x, world.size_y}, {0, world.size_y}};
+      world.low, {world.high().x, world.low.y}, world.high(), {world.low.x, world.high().y}};
   scene.AddPrism({}, outline, -kGroundBelow, 0.0, 0.0, scene.floor_material);
   const double size = std::max(world.size_x, world.size_y);
-  scene.middle = {world.size_x / 2.0, world.size_y / 2.0};
+  scene.middle = world.middle();
   scene.fade_from = 1.0 * size;
   const Vec2 half{2.1 * size, 2.1 * size};
   AddRectangle(scene.middle - half, scene.middle + half, -kGroundBelow, scene.ground_material,
@@ -194,7 +194,7 @@ Camera FindCamera(const sim::Simulation& simulation, const std::string& name, do
   if (kind == "top") {
     const auto [s, c] = SinCos(Radians(Camera{}.fov_deg / 2.0));
     const double half = std::max(world.size_y, world.size_x / aspect) / 2.0;
-    const Vec3 middle{world.size_x / 2.0, world.size_y / 2.0, 0.0};
+    const Vec3 middle{world.middle().x, world.middle().y, 0.0};
     return Camera::LookAt(middle + Vec3{0.0, 0.0, 1.06 * half * c / s}, middle);
   }
   if (kind == "follow" || kind == "robot") {

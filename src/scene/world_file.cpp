@@ -221,6 +221,14 @@ World ReadWorld(const Field& field) {
   if (sides.size() != 2) size.FailHere(fmt::format("has {} numbers, must be [x, y]", sides.size()));
   world.size_x = sides[0].Number(kSize);
   world.size_y = sides[1].Number(kSize);
+  if (reader.Has("low")) {
+    const Field low = reader.Require("low");
+    const std::vector<Field> place = low.Items();
+    if (place.size() != 2) {
+      low.FailHere(fmt::format("has {} numbers, must be [x, y]", place.size()));
+    }
+    world.low = {place[0].Number(kCoordinate), place[1].Number(kCoordinate)};
+  }
   if (reader.Has("origin")) {
     const Field origin = reader.Require("origin");
     const std::vector<Field> place = origin.Items();
@@ -287,6 +295,7 @@ Json WorldToJson(const World& world) {
   }
   return Json::Object{{"name", world.name},
                       {"size", Json::Array{world.size_x, world.size_y}},
+                      {"low", Json::Array{world.low.x, world.low.y}},
                       {"origin", Json::Array{world.origin.x, world.origin.y}},
                       {"floor", ColorText(world.floor)},
                       {"boxes", std::move(boxes)},

@@ -47,7 +47,7 @@ render::Camera CameraFrom(const RenderArguments& arguments, const sim::Simulatio
   }
   const auto& from = arguments.from;
   const scene::World& world = simulation.world().scene();
-  Vec3 at{world.size_x / 2.0, world.size_y / 2.0, 0.0};
+  Vec3 at{world.middle().x, world.middle().y, 0.0};
   if (!arguments.at.empty()) at = {arguments.at[0], arguments.at[1], arguments.at[2]};
   return render::Camera::LookAt({from[0], from[1], from[2]}, at);
 }

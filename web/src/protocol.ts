@@ -72,6 +72,8 @@ export type CanvasMode = "ground" | "minimap" | "fullscreen";
 export interface Scene {
   scene: string;
   world: string;
+  low_x?: number; // m, of the floor's bottom-left corner
+  low_y?: number;
   size_x: number;
   size_y: number;
   floor: number;

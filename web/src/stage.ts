@@ -246,6 +246,12 @@ class RobotModel {
   }
 }
 
+// Of its floor, m.
+function middleOf(scene: Scene): THREE.Vector3 {
+  return new THREE.Vector3(
+    (scene.low_x ?? 0) + scene.size_x / 2, (scene.low_y ?? 0) + scene.size_y / 2, 0);
+}
+
 /** The 3-D picture: the scene as sent, moved by frames. */
 export class Stage {
   readonly layers: Layers = { lasers: true, rings: true, trails: true, speeds: false, names: false };
@@ -397,7 +403,7 @@ export class Stage {
     this.controls.enabled = kind !== "robot";
     const scene = this.scene;
     if (scene === null) return;
-    const middle = new THREE.Vector3(scene.size_x / 2, scene.size_y / 2, 0);
+    const middle = middleOf(scene);
     if (kind === "orbit") {
       // The scenario's camera: Euler angles XYZ, (0, 0, 0) looks straight down.
       const { position, rotation } = scene.camera;
@@ -519,21 +525,21 @@ export class Stage {
     const top = surface(this.quality, { color: scene.floor, roughness: 0.9 });
     const floor = new THREE.Mesh(
       new THREE.BoxGeometry(scene.size_x, scene.size_y, 0.04), [slab, slab, slab, slab, top, slab]);
-    floor.position.set(scene.size_x / 2, scene.size_y / 2, -0.02);
+    floor.position.copy(middleOf(scene)).setZ(-0.02);
     floor.receiveShadow = true;
     this.content.add(floor);
     const around = new THREE.Mesh(
       new THREE.CircleGeometry(40 * Math.max(1, scene.size_x, scene.size_y), 64),
       new THREE.ShadowMaterial({ opacity: 0.16 }),
     );
-    around.position.set(scene.size_x / 2, scene.size_y / 2, -0.04);
+    around.position.copy(middleOf(scene)).setZ(-0.04);
     around.receiveShadow = true;
     this.content.add(around);
   }
 
   private addLights(scene: Scene): void {
     const size = Math.max(scene.size_x, scene.size_y);
-    const middle = new THREE.Vector3(scene.size_x / 2, scene.size_y / 2, 0);
+    const middle = middleOf(scene);
     const sunAt = scene.lights.find((light) => light.kind === "sun")?.position;
     const sun = new THREE.DirectionalLight(0xfff4e2, 2.1);
     const from = new THREE.Vector3(...(sunAt ?? [-0.5, -0.7, 1.4])).normalize();
@@ -579,7 +585,8 @@ export class Stage {
           depthWrite: false, toneMapped: false,
         }),
       );
-      this.canvasPlane.position.set((cell * width) / 2, (cell * height) / 2, 0.002);
+      this.canvasPlane.position.set(
+        (scene.low_x ?? 0) + (cell * width) / 2, (scene.low_y ?? 0) + (cell * height) / 2, 0.002);
       this.canvasPlane.renderOrder = 1;
       this.canvasPlane.visible = this.groundCanvas;
       this.content.add(this.canvasPlane);

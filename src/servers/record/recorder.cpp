@@ -261,7 +261,7 @@ void Recorder::WriteScene() {
   const scene::World& world = simulation_.world().scene();
   Json::Array cubes;
   constexpr double kThin = 0.001;  // m
-  cubes.push_back(CubeJson({world.size_x / 2.0, world.size_y / 2.0, -kThin / 2.0}, 0.0,
+  cubes.push_back(CubeJson({world.middle().x, world.middle().y, -kThin / 2.0}, 0.0,
                            {world.size_x, world.size_y, kThin}, world.floor));
   for (const scene::Box& box : world.boxes) {
     if (!box.raised) continue;

@@ -150,6 +150,8 @@ std::string ViewModel::Scene(const Json& more) const {
   const scene::CanvasDef& canvas = scenario.canvas;
   Json whole(Json::Object{{"scene", scenario.name},
                           {"world", world.name},
+                          {"low_x", world.low.x},
+                          {"low_y", world.low.y},
                           {"size_x", world.size_x},
                           {"size_y", world.size_y},
                           {"floor", Hex(world.floor)},

@@ -129,7 +129,8 @@ void RangeEngine::MeetFloor(const Ray& ray, RayHit& hit) const {
   if (!(distance >= 0.0 && distance < hit.distance)) return;
   const Vec3 at = ray.origin + distance * ray.direction;
   const scene::World& world = world_.scene();
-  if (at.x < 0.0 || at.y < 0.0 || at.x > world.size_x || at.y > world.size_y) return;
+  const Vec2 high = world.high();
+  if (at.x < world.low.x || at.y < world.low.y || at.x > high.x || at.y > high.y) return;
   hit = {distance, {HitKind::kFloor, 0, 0}};
 }
 
