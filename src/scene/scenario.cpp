@@ -502,9 +502,10 @@ void ReadComponents(ObjectReader& reader, RobotDef& robot) {
     ComponentDef component = ReadComponent(item);
     for (const ComponentDef& other : components) {
       if (other.name != component.name) continue;
-      item.FailHere(fmt::format("is called {}, as is another component of the robot; choose "
-                                "another name",
-                                Quoted(component.name)));
+      item.FailHere(
+          fmt::format("is called {}, as is another component of the robot; choose "
+                      "another name",
+                      Quoted(component.name)));
     }
     components.push_back(std::move(component));
   }
@@ -939,8 +940,8 @@ std::vector<std::string> DevicesFor(const RobotDef& robot, const std::string& in
     for (const ComponentDef& component : *robot.components) {
       const bool serves = component.type == "LaserScanner"
                               ? interface == "laser" || interface == "ranger"
-                              : interface == "position2d" && (component.type == "Pose" ||
-                                                              component.type == "Odometry");
+                              : interface == "position2d" &&
+                                    (component.type == "Pose" || component.type == "Odometry");
       if (serves) devices.push_back(component.name);
     }
     return devices;

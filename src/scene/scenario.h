@@ -52,8 +52,8 @@ struct Light {
   bool shadows = false;  ///< casts shadows
 };
 
-/// The world: a rectangular floor with boxes on it. Its coordinates start at the floor's bottom-left
-/// corner, unless `low` says where else that corner is: MORSE's worlds lie around (0, 0).
+/// The world: a rectangular floor with boxes on it. The origin is the floor's bottom-left corner,
+/// unless `low` says where else that corner is: MORSE's worlds lie around (0, 0).
 struct World {
   std::string name;     ///< "syrotek"
   double size_x = 0.0;  ///< m, > 0
@@ -160,15 +160,15 @@ struct PoseNoiseDef {
 /// One device of a robot that has others than those of its type, as a MORSE builder script mounts
 /// it (specs: morse.md C.2; docs/morse.md).
 struct ComponentDef {
-  std::string name;          ///< after the robot's, unique there; dots where nested ("arm.tool")
-  std::string type;          ///< one of ComponentTypes()
-  double frequency = 60.0;   ///< Hz, > 0
-  Vec3 position;             ///< on the robot, m, in its frame
-  Vec3 rotation;             ///< there: roll, pitch, yaw, rad
-  bool stream = true;        ///< has a port of its own (MORSE's add_stream)
-  bool services = true;      ///< answers on the service port (MORSE's add_service)
-  PoseNoiseDef noise;        ///< of a Pose
-  LaserDef laser;            ///< of a LaserScanner; mounted and timed as above
+  std::string name;         ///< after the robot's, unique there; dots where nested ("arm.tool")
+  std::string type;         ///< one of ComponentTypes()
+  double frequency = 60.0;  ///< Hz, > 0
+  Vec3 position;            ///< on the robot, m, in its frame
+  Vec3 rotation;            ///< there: roll, pitch, yaw, rad
+  bool stream = true;       ///< has a port of its own (MORSE's add_stream)
+  bool services = true;     ///< answers on the service port (MORSE's add_service)
+  PoseNoiseDef noise;       ///< of a Pose
+  LaserDef laser;           ///< of a LaserScanner; mounted and timed as above
 };
 
 /// The types of component that the simulator has, sorted, by MORSE's names.

@@ -134,9 +134,11 @@ int Run(int argc, char** argv) {
   run_command
       ->add_option("scenario", run.scenario,
                    "a scenario's name or path (see ccmorse list), a .cfg of "
-                   "Player or a .world of Stage")
+                   "Player, a .world of Stage or a builder script of MORSE (.py)")
       ->required()
       ->type_name("SCENARIO");
+  run_command->add_option("arguments", run.script_arguments, "of a builder script, behind \"--\"")
+      ->type_name("ARGUMENT");
   run_command->add_flag("--headless", run.headless, "without the live view");
   run_command
       ->add_option("--clients", run.clients,

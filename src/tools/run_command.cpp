@@ -24,12 +24,28 @@
 #include "servers/run_report.h"
 #include "servers/runner.h"
 #include "servers/web/web_server.h"
+#include "tools/builder_script.h"
 #include "tools/open_browser.h"
 #include "tools/stop_signals.h"
 #include "tools/top_view.h"
 
 namespace ccmorse::tools {
 namespace {
+
+// A scenario, or what a builder script makes; with arguments only the latter.
+scene::ImportedScenario Import(const std::string& name, const std::vector<std::string>& arguments) {
+  const std::string file = scene::FindScenario(name);
+  if (IsBuilderScript(file)) {
+    ScriptOptions options;
+    options.arguments = arguments;
+    return SceneFromScript(file, options);
+  }
+  if (!arguments.empty()) {
+    throw Error("what follows " + name +
+                " would be for a builder script (.py), which it is not: " + arguments.front());
+  }
+  return scene::ImportScenario(file);
+}
 
 servers::Pace PaceFrom(const RunArguments& arguments, const scene::Scenario& scenario) {
   const std::string& name = arguments.pace ? *arguments.pace : scenario.time.strategy;
@@ -161,7 +177,7 @@ class HashPrinter : public servers::RunWatcher {
 
 int Run(const RunArguments& arguments) {
   if (arguments.quiet) SetLogLevel(LogLevel::kError);
-  scene::ImportedScenario imported = scene::ImportScenario(scene::FindScenario(arguments.scenario));
+  scene::ImportedScenario imported = Import(arguments.scenario, arguments.script_arguments);
   for (const scene::FileNote& note : imported.notes) {
     if (note.matters) LogWarning("{}: {}", note.at.Text(), note.text);
   }
@@ -271,8 +287,7 @@ int Run(const RunArguments& arguments) {
 }
 
 int Convert(const ConvertArguments& arguments) {
-  const scene::ImportedScenario imported =
-      scene::ImportScenario(scene::FindScenario(arguments.file));
+  const scene::ImportedScenario imported = Import(arguments.file, {});
   for (const scene::FileNote& note : imported.notes) {
     fmt::print(stderr, "{}: {}{}\n", note.at.Text(), note.matters ? "" : "(no matter) ", note.text);
   }

@@ -9,8 +9,10 @@ namespace ccmorse::tools {
 
 /// What `ccmorse run` was asked for; what is not set comes from the scenario.
 struct RunArguments {
-  std::string scenario;              ///< name or path
-  bool headless = false;             ///< no live view
+  std::string scenario;   ///< name or path
+  bool headless = false;  ///< no live view
+  /// Of a builder script, in its sys.argv behind "--".
+  std::vector<std::string> script_arguments;
   std::optional<std::string> pace;   ///< "real", "lockstep" or "max"
   double seconds = 0.0;              ///< simulated; 0: until stopped
   int threads = 0;                   ///< that share the work; 0: as many as are sensible

@@ -33,7 +33,7 @@ class AbstractComponent:
     components = []  # all there are, in order
 
     def __init__(self, obj=None, filename="", category=""):
-        self.place = places.user_place()
+        self.place = places.user_place(self)
         self.basename = None  # the last part of its name, where somebody gave it one
         self.full_name = None  # once it has been renamed
         self.parent = None

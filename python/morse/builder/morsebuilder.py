@@ -72,9 +72,13 @@ class Component(AbstractComponent):
             known = stem in {entry["blend"] for entry in data.ROBOTS.values()}
             if self.model_path is None and not known:
                 raise data.asset_missing(category, filename)
-        self.set_blender_object(bpymorse.Object(stem or type(self).__name__))
+        self.set_blender_object(bpymorse.Object(self._object_name()))
         if make_morseable:
             self.morseable()
+
+
+    def _object_name(self):
+        return self.stem or type(self).__name__
 
 
 class Robot(Component):
@@ -89,8 +93,6 @@ class Robot(Component):
         self.ghost = None
         if name:
             self.name = name
-        else:
-            self._bpy_object.name = type(self).__name__
         entry = self.body_entry()
         self.properties(Robot_Tag=True, GroundRobot=False, NoGravity=False)
         if self.property_value("classpath") is None:
@@ -102,6 +104,9 @@ class Robot(Component):
             self.properties(**entry.get("properties", {}))
             if entry["rest"] is not None:
                 self._bpy_object.location = (0.0, 0.0, entry["rest"])
+
+    def _object_name(self):
+        return type(self).__name__
 
     def body_entry(self):
         """What robots.json has of its model; None for a user's own."""

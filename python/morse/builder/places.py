@@ -13,12 +13,14 @@ def is_ours(file):
     return os.path.abspath(file).startswith(_HERE + os.sep) or file.startswith("<frozen")
 
 
-def user_place():
-    """(file, line) that the user's code has come to."""
+def user_place(of=None):
+    """(file, line) that the user's code has come to; outside of the constructors of object `of`."""
     frame = sys._getframe(1)
     while frame is not None:
         file = frame.f_code.co_filename
-        if not is_ours(file) and not file.startswith("<"):
+        constructs = (of is not None and frame.f_code.co_name == "__init__" and
+                      frame.f_locals.get("self") is of)
+        if not constructs and not is_ours(file) and not file.startswith("<"):
             return os.path.abspath(file), frame.f_lineno
         frame = frame.f_back
     return "", 0

@@ -21,7 +21,12 @@ def _script_frames(error):
 
 
 def _complain(error):
-    if not isinstance(error, SyntaxError):
+    from morse.builder.scene import SceneError
+    if isinstance(error, SceneError):  # of the script as a whole
+        sys.stderr.write("[ERROR][MORSE] %s: %s\n" % (sys.argv[0], error))
+        sys.stderr.flush()
+        return
+    if not isinstance(error, SyntaxError) or error.__traceback__.tb_next is not None:
         sys.stderr.write("Traceback (most recent call last):\n")
         sys.stderr.write("".join(traceback.format_list(_script_frames(error))))
     text = "".join(traceback.format_exception_only(type(error), error))

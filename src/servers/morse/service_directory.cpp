@@ -425,7 +425,16 @@ Json ServiceDirectory::Details() const {
         entry.Set("stream_interfaces",
                   Json::Array{Json::Array{kStreamManager, out ? "OUT" : "IN"}});
       }
-      components.Set(component->full_name(), std::move(entry));
+      // pymorse looks for all that a nested name goes through, simulated or not.
+      const std::string& name = component->full_name();
+      for (std::size_t dot = name.find('.', robot->name().size() + 1); dot != std::string::npos;
+           dot = name.find('.', dot + 1)) {
+        const std::string above = name.substr(0, dot);
+        if (components.Find(above) == nullptr) {
+          components.Set(above, Json(Json::Object{{"type", "Component"}}));
+        }
+      }
+      components.Set(name, std::move(entry));
     }
     robots.push_back(Json::Object{{"name", robot->name()},
                                   {"type", robot->def().type},

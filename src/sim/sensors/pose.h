@@ -8,7 +8,7 @@
 namespace ccmorse::sim {
 
 /// Where the sensor is in the world, at the robot's origin unless it is mounted elsewhere: MORSE's
-/// Pose (specs: morse.md B.2), without error unless the scenario gives it noise. Data: x, y, z in m, yaw, pitch, roll in rad; 60 Hz.
+/// Pose (specs: morse.md B.2), without error unless the scenario gives it noise. Data in m and rad.
 class PoseSensor : public Sensor {
  public:
   /// With the robot's pose_noise, or one of its own.
