@@ -108,7 +108,7 @@ class Scripts(unittest.TestCase):
 
     def test_r10_scanners(self):
         built = Built("scanners.py")
-        self.assertEqual(built.components(), ["hokuyo", "sick", "many", "ir1"])
+        self.assertEqual(built.components(), ["hokuyo", "sick", "many", "ir1", "rear"])
         hokuyo = built.component("robot.hokuyo")
         self.near(hokuyo["position"], [0.252, 0.0, 0.5])
         self.assertEqual(hokuyo["frequency"], 5.0)
@@ -124,6 +124,8 @@ class Scripts(unittest.TestCase):
         self.assertEqual(built.component("robot.many")["frequency"], 4.0)
         # What is set after create_laser_arc() does not count.
         self.assertEqual(built.component("robot.ir1")["laser"]["range"], 1.5)
+        # A class of the user's own is what it derives from.
+        self.assertEqual(built.component("robot.rear")["laser"]["resolution_deg"], 0.25)
         self.assertEqual([text for _, text in built.notes()],
                          ["turning: the component VelodyneRayCast is not simulated yet"])
 
@@ -244,6 +246,7 @@ class Scripts(unittest.TestCase):
         built = Built("ghosts_and_paint.py")
         ghost, heavy = built.robot("ghost"), built.robot("heavy")
         self.assertEqual(ghost["body"]["hull"], [])  # no scanner sees it
+        self.assertEqual(ghost["body"]["footprint"][1], [0.01, 0.01])  # and nothing touches it
         self.assertEqual(ghost["color"], "#ff0000")
         self.assertEqual(heavy["color"], "#00ff00")
         self.assertEqual(heavy["body"]["mass"], 33.5)

@@ -225,10 +225,16 @@ class Table(unittest.TestCase):
         with open(os.path.join(SOURCE, "src", "scene", "scenario.cpp"), encoding="utf-8") as file:
             text = file.read()
         body = text[text.index("& ComponentTypes() {"):]
-        known = set(re.findall(r'"(\w+)"', body[:body.index("}")] + body.split("{", 2)[2]
-                               .split("}")[0]))
+        known = set(re.findall(r'"(\w+)"', body[:body.index(";")]))
         simulated = {entry["simulated"] for entry in data.COMPONENTS.values()} - {None}
         self.assertEqual(simulated | set(data.SYROTEK_COMPONENTS.values()), known)
+
+
+    def test_the_documentation_says_what_is_simulated(self):
+        with open(os.path.join(SOURCE, "docs", "morse.md"), encoding="utf-8") as file:
+            rows = re.findall(r"^\| `(\w+)` \| (yes|no)\b", file.read(), re.MULTILINE)
+        self.assertEqual(dict(rows), {name: "yes" if entry["simulated"] else "no"
+                                      for name, entry in data.COMPONENTS.items()})
 
 
 class Robots(unittest.TestCase):

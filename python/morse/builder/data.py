@@ -51,6 +51,14 @@ for _entry in COMPONENTS.values():
     _BY_CLASSPATH.setdefault(_entry["classpath"], _entry)
 
 
+def component_of_type(kind):
+    """The entry of a builder's class, or of the nearest one that it derives from; None: none."""
+    for known in kind.__mro__:
+        if known.__name__ in COMPONENTS and known.__module__.startswith("morse.builder."):
+            return COMPONENTS[known.__name__]
+    return None
+
+
 def component_of_class(classpath):
     """The table's entry of a class of MORSE; None where it has none."""
     return _BY_CLASSPATH.get(classpath)

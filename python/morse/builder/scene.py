@@ -14,6 +14,7 @@ from morse.core.morse_time import TimeStrategies
 
 _MOST_NAME = 64  # letters of a robot's name, in the simulator
 _FASTEST = 100.0  # m/s and rad/s: MORSE has no limits, the simulator's highest
+_POINT = 0.01  # m: half of a side of what stands for a body that nothing touches
 _AROUND = 5.0  # m of floor around a robot that stands beside it
 _STRATEGIES = {TimeStrategies.BestEffort: "best_effort",
                TimeStrategies.FixedSimulationStep: "fixed_simulation_step"}
@@ -110,6 +111,10 @@ def _body(robot, entry, z):
     else:
         corners = [[0.5 * long, -0.5 * wide], [0.5 * long, 0.5 * wide], [-0.5 * long, 0.5 * wide],
                    [-0.5 * long, -0.5 * wide]]
+    footprint = corners
+    if robot._bpy_object.game.physics_type == "NO_COLLISION":
+        # Nothing touches it, as nearly as may be.
+        footprint = [[_POINT, -_POINT], [_POINT, _POINT], [-_POINT, _POINT], [-_POINT, -_POINT]]
     # What stands on the ground comes to rest on it; what flies stays where it was put.
     height = entry["rest"] if entry["rest"] is not None else max(0.0, z)
     hull = []
@@ -120,7 +125,7 @@ def _body(robot, entry, z):
             hull = [{"outline": corners, "bottom": bottom, "top": top}]
     if entry["rest"] is None and z < 0.0:
         places.note("%s is beneath the ground: it is put on it" % robot.name, robot.place)
-    return {"footprint": corners, "hull": hull, "origin_height": height,
+    return {"footprint": footprint, "hull": hull, "origin_height": height,
             "mass": robot.mass if robot.mass else entry["mass"], "drive": "diff",
             "max_speed": _FASTEST, "max_turn_rate": _FASTEST}
 
@@ -172,7 +177,7 @@ def simulated_type(component):
     entry = data.component_of_class(classpath)
     if entry is None:
         return data.SYROTEK_COMPONENTS.get(classpath.rsplit(".", 1)[-1].lower())
-    own = data.COMPONENTS.get(type(component).__name__)
+    own = data.component_of_type(type(component))
     return (own if own and own["classpath"] == classpath else entry)["simulated"]
 
 

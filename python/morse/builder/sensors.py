@@ -7,10 +7,6 @@ from morse.builder import bpymorse, data  # noqa: F401
 from morse.builder.creator import SensorCreator, make_class
 
 
-def _place(sensor, x=0.0, y=0.0, z=0.0):
-    sensor.translate(x, y, z)
-
-
 class LaserSensorWithArc(SensorCreator):
     """What all scanners are."""
 
@@ -18,8 +14,7 @@ class LaserSensorWithArc(SensorCreator):
 
     def __init__(self, name=None):
         super().__init__(name)
-        self.apply_entry(data.COMPONENTS[type(self).__name__] if type(self).__name__ in
-                         data.COMPONENTS else data.COMPONENTS["LaserSensorWithArc"])
+        self.apply_entry(data.component_of_type(type(self)))
         self.arc = None  # the settings that it was made with
 
     def get_ray_material(self):
@@ -52,8 +47,7 @@ class VideoCamera(SensorCreator):
 
     def __init__(self, name=None):
         super().__init__(name)
-        self.apply_entry(data.COMPONENTS[type(self).__name__] if type(self).__name__ in
-                         data.COMPONENTS else data.COMPONENTS["VideoCamera"])
+        self.apply_entry(data.component_of_type(type(self)))
 
     def rotate(self, x=0, y=0, z=0):
         """By Euler angles of the robot's axes, rad."""
@@ -67,7 +61,7 @@ class CompoundSensor(SensorCreator):
 
     def __init__(self, sensors, name=None):
         super().__init__(name)
-        self.apply_entry(data.COMPONENTS["CompoundSensor"])
+        self.apply_entry(data.component_of_type(type(self)))
         self.sensors = sensors
 
     def after_renaming(self):

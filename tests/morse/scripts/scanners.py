@@ -26,6 +26,13 @@ ir1.create_laser_arc()
 ir1.properties(laser_range=9.0)
 robot.append(ir1)
 
+class Rear(Hokuyo):
+    pass
+
+rear = Rear()
+rear.rotate(z=math.pi)
+robot.append(rear)
+
 turning = VelodyneRayCast()
 robot.append(turning)
 
