@@ -33,7 +33,7 @@ class Scripts(unittest.TestCase):
         self.assertEqual(built.scene["camera"], {"position": [-18.0, -6.7, 10.8],
                                                  "rotation": [1.09, 0, -1.14]})
         self.assertEqual(built.scene["world"]["name"], "morse_sandbox")
-        self.assertIn((12, "keyboard: the component Keyboard is not simulated yet"), built.notes())
+        self.assertIn((12, "robot.keyboard: the component Keyboard is not simulated yet"), built.notes())
         keyboard = built.objects()["robot"]["children"][1]
         self.assertEqual(keyboard["properties"]["ControlType"], "Position")
         self.assertEqual(keyboard["streams"], [])  # it is not exportable
@@ -127,7 +127,7 @@ class Scripts(unittest.TestCase):
         # A class of the user's own is what it derives from.
         self.assertEqual(built.component("robot.rear")["laser"]["resolution_deg"], 0.25)
         self.assertEqual([text for _, text in built.notes()],
-                         ["turning: the component VelodyneRayCast is not simulated yet"])
+                         ["robot.turning: the component VelodyneRayCast is not simulated yet"])
 
     def test_h1_the_boxes_of_the_scanners_environment(self):
         world = Built("scanners.py").scene["world"]
@@ -167,7 +167,7 @@ class Scripts(unittest.TestCase):
     def test_b5_noise_of_a_pose(self):
         built = Built("noise.py")
         self.assertEqual(built.component("robot.pose")["noise"], {"pos_std": 0.1, "rot_std": 0.02})
-        self.assertEqual(built.notes(), [(9, "ned: the modifier NED is not simulated yet")])
+        self.assertEqual(built.notes(), [(9, "robot.ned: the modifier NED is not simulated yet")])
         self.assertEqual(built.objects()["robot"]["children"][1]["modifiers"][0]["classpath"],
                          "morse.modifiers.ned.CoordinatesToNED")
 

@@ -83,7 +83,7 @@ def main():
     logging.basicConfig(level=logging.INFO, stream=sys.stderr,
                         format="[%(levelname)s][%(name)s] %(message)s")
     try:
-        result = run_script(sys.argv[1], sys.argv[2:])
+        text = json.dumps(run_script(sys.argv[1], sys.argv[2:]), allow_nan=False)
     except SystemExit as ended:
         if isinstance(ended.code, str):
             sys.stderr.write("[ERROR][MORSE] %s\n" % ended.code)
@@ -95,8 +95,7 @@ def main():
         _complain(error)
         return 1
     sys.stdout.flush()
-    json.dump(result, out, allow_nan=False)
-    out.write("\n")
+    out.write(text + "\n")
     out.flush()
     return 0
 

@@ -75,6 +75,9 @@ def _identifier(name, used):
 def _robot(robot, names):
     x, y, z = robot.location
     roll, pitch, yaw = robot.rotation_euler
+    if not all(math.isfinite(value) for value in (x, y, z, yaw)):
+        raise SceneError("%s, made in line %d, has no place: (%s, %s, %s)" %
+                         (robot.name, robot.place[1], x, y, z))
     if abs(roll) > 1e-6 or abs(pitch) > 1e-6:
         places.note("%s stands upright: its roll and pitch are not simulated" % robot.name,
                     robot.place)
@@ -94,7 +97,7 @@ def _robot(robot, names):
         result["type"] = "Custom"
         result["body"] = _body(robot, entry, z)
     components, used = [], set()
-    _components(robot, _IDENTITY, "", components, used)
+    _components(robot, name, _IDENTITY, "", components, used)
     result["components"] = components
     for modifier in robot.modifiers:
         places.note("a robot has no data to alter", modifier["place"])
@@ -142,7 +145,7 @@ def _moved(frame, component):
     return bpymorse.multiply(turn, bpymorse.rotation_matrix(component.rotation_euler)), at
 
 
-def _components(parent, frame, prefix, result, used):
+def _components(parent, robot, frame, prefix, result, used):
     for component in parent.children:
         if component._bpy_object is None:
             continue
@@ -158,10 +161,10 @@ def _components(parent, frame, prefix, result, used):
             places.note("a robot on a robot is not simulated: %s is left out" % component.name,
                         component.place)
             continue
-        made = _component(component, full, own)
+        made = _component(component, robot, full, own)
         if made is not None:
             result.append(made)
-        _components(component, own, full + ".", result, used)
+        _components(component, robot, own, full + ".", result, used)
 
 
 def _last_name(component):
@@ -181,7 +184,8 @@ def simulated_type(component):
     return (own if own and own["classpath"] == classpath else entry)["simulated"]
 
 
-def _component(component, full, frame):
+def _component(component, robot, name, frame):
+    full = "%s.%s" % (robot, name)
     kind = simulated_type(component)
     label = type(component).__name__
     if kind is None:
@@ -201,7 +205,7 @@ def _component(component, full, frame):
         return None
     turn, place = frame
     result = {
-        "name": full, "type": kind, "frequency": component.rate or 60.0, "position": place,
+        "name": name, "type": kind, "frequency": component.rate or 60.0, "position": place,
         "rotation": [angle + 0.0 for angle in bpymorse.euler_angles(turn)],
         "stream": any(stream["middleware"] == "socket" for stream in component.streams),
         "services": "socket" in component.services}
