@@ -25,7 +25,7 @@ class Scripts(unittest.TestCase):
         self.assertEqual(built.status, 0, built.output)
         self.assertEqual(built.robots(), ["robot"])
         robot = built.robot("robot")
-        self.assertEqual(robot["pose"], {"x": 1.0, "y": 0.0, "yaw": 3.5})
+        self.assertEqual(robot["pose"], {"x": 1.0, "y": 0.0, "yaw": 3.5 - 2.0 * math.pi})
         self.assertEqual(robot["body"]["mass"], 15.0)
         self.assertEqual(built.components(), ["motion", "pose"])
         self.assertTrue(built.component("robot.motion")["stream"])

@@ -37,8 +37,9 @@ class Run:
         until = time.monotonic() + 60.0
         while "SCENE INITIALIZED" not in self.output():
             if self.process.poll() is not None or time.monotonic() > until:
+                output = self.output()
                 self.close()
-                raise AssertionError("no scene:\n" + self.output())
+                raise AssertionError("no scene:\n" + output)
             time.sleep(0.02)
         self.port = int(re.search(r"MORSE services on \S+ port (\d+)", self.output()).group(1))
 
@@ -47,6 +48,10 @@ class Run:
         return self.log.read()
 
     def close(self):
+        self.stop()
+        self.log.close()
+
+    def stop(self):
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
             try:
@@ -118,7 +123,7 @@ class Driving(unittest.TestCase):
             self.assertRegex(run.output(),
                              r"default_scene.py:12: robot.keyboard: the component Keyboard is not "
                              r"simulated yet")
-            run.close()
+            run.stop()
             self.assertEqual(run.process.returncode, 0)
 
     def test_names_of_components_on_what_is_not_simulated(self):
@@ -131,10 +136,13 @@ class Driving(unittest.TestCase):
 
     def test_h1_scanners_see_the_boxes(self):
         with Run("scanners.py") as run:
-            scan = run.morse.robot.hokuyo.get(timeout=10)
-            self.assertEqual(len(scan["range_list"]), 541)
+            self.assertEqual(len(run.morse.robot.hokuyo.get(timeout=10)["range_list"]), 541)
+            scan = run.morse.robot.rear.get(timeout=10)
+            self.assertEqual(len(scan["range_list"]), 1081)
             # The corner of the BlueBox that is nearest to the scanner, at (-3, -2.5).
-            self.assertAlmostEqual(min(scan["range_list"]), math.hypot(3.252, 2.5), delta=0.03)
+            self.assertAlmostEqual(min(scan["range_list"]), math.hypot(3.0, 2.5), delta=0.03)
+            # Straight behind the robot, in the middle of the fan, is the RedBox's side at x = -7.
+            self.assertAlmostEqual(scan["range_list"][540], 7.0, places=9)
 
     def test_all_robots_stand(self):
         with Run("all_robots.py") as run:
@@ -163,7 +171,7 @@ class Driving(unittest.TestCase):
             morse = run.morse
             self.assertEqual(sorted(morse.robots), ["robot", "s1r_2"])
             self.assertEqual(len(morse.robot.hokuyo.get(timeout=10)["range_list"]), 682)
-            morse.rpc("robot.pen", "set_pixel", 3, 4, [255, 0, 0])
+            morse.rpc("robot.pen", "set_pixel", 3, 4, 255, 0, 0)
             properties = morse.rpc("robot.robotproperties", "get_local_data")
             self.assertEqual(json.loads(properties["properties"])["canvas"]["alpha"]
                              if isinstance(properties["properties"], str) else

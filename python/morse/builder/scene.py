@@ -81,6 +81,7 @@ def _robot(robot, names):
     if abs(roll) > 1e-6 or abs(pitch) > 1e-6:
         places.note("%s stands upright: its roll and pitch are not simulated" % robot.name,
                     robot.place)
+    yaw -= 2.0 * math.pi * round(yaw / (2.0 * math.pi))  # as sensors have it
     name = _identifier(robot.full_name or robot.name, names)
     entry = robot.body_entry()
     if entry is None:

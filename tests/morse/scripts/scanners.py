@@ -30,7 +30,9 @@ class Rear(Hokuyo):
     pass
 
 rear = Rear()
+rear.translate(z=0.4)
 rear.rotate(z=math.pi)
+rear.add_stream("socket")
 robot.append(rear)
 
 turning = VelodyneRayCast()
