@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -111,6 +112,12 @@ void PrintReport(const sim::Simulation& simulation, const servers::MorseServer& 
 void WritePicture(const sim::Simulation& simulation, const std::string& path) {
   TopView view;
   view.world = &simulation.world().scene();
+  // A world of MORSE's is many times as large as an arena: a coarser picture is better than none.
+  constexpr double kFinest = 8192.0;  // pixels a side
+  constexpr double kCoarse = 2048.0;
+  const double side = std::max(view.world->size_x, view.world->size_y) + 2.0 * view.margin;
+  if (side * view.pixels_per_metre > kFinest)
+    view.pixels_per_metre = std::max(10.0, kCoarse / side);
   for (const auto& robot : simulation.robots()) {
     view.robots.push_back({&robot->model(), robot->pose(), robot->def().color, {}, {}});
   }

@@ -222,6 +222,20 @@ class CommandLine(unittest.TestCase):
                                     "--for", "0.1", "--pace", "max")
             self.assertEqual(again.returncode, 0, again.stdout)
 
+    def test_a_picture_of_a_large_world(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "boxes.png")
+            result = self.run_to_end("run", self.script("scanners.py"), "--headless", "--port", "0",
+                                     "--stream-port", "0", "--for", "0.1", "--pace", "max",
+                                     "--picture", file)
+            self.assertEqual(result.returncode, 0, result.stdout)
+            with open(file, "rb") as picture:
+                head = picture.read(24)
+            self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
+            wide = int.from_bytes(head[16:20], "big")
+            high = int.from_bytes(head[20:24], "big")
+            self.assertAlmostEqual(wide / high, 39.1 / 30.1, delta=0.01)
+
     def test_every_script_that_makes_a_scene_starts(self):
         bad = {"environment_of_nobody.py", "error_in_the_script.py", "keyboard_has_no_stream.py",
                "modifier_of_nobody.py", "name_with_a_dot.py", "no_environment.py"}
