@@ -132,8 +132,8 @@ void AddFloor(const sim::Simulation& simulation, bool canvas_shown, PictureScene
   scene.floor_material = scene.AddMaterial({paper(floor), 0.03, 0.5, false});
   // A table that is darker than the floor, so that the arena stands out.
   scene.ground_material = scene.AddMaterial({{0.20, 0.22, 0.25}, 0.0, 0.9, false});
-  const Vec2 low = world.corner;
-  const Vec2 high = low + Vec2{world.size_x, world.size_y};
+  const Vec2 low = world.low;
+  const Vec2 high = world.high();
   double table = -kGroundBelow;
   if (world.has_floor) {
     // A slab, so that the floor has an edge.
@@ -147,7 +147,7 @@ void AddFloor(const sim::Simulation& simulation, bool canvas_shown, PictureScene
     }
   }
   const double size = std::max(world.size_x, world.size_y);
-  scene.middle = 0.5 * (low + high);
+  scene.middle = world.middle();
   scene.fade_from = 1.0 * size;
   const Vec2 half{2.1 * size, 2.1 * size};
   AddRectangle(scene.middle - half, scene.middle + half, table, scene.ground_material, scene);
@@ -210,8 +210,7 @@ Camera FindCamera(const sim::Simulation& simulation, const std::string& name, do
   if (kind == "top") {
     const auto [s, c] = SinCos(Radians(Camera{}.fov_deg / 2.0));
     const double half = std::max(world.size_y, world.size_x / aspect) / 2.0;
-    const Vec3 middle{world.corner.x + world.size_x / 2.0, world.corner.y + world.size_y / 2.0,
-                      0.0};
+    const Vec3 middle{world.middle().x, world.middle().y, 0.0};
     return Camera::LookAt(middle + Vec3{0.0, 0.0, 1.06 * half * c / s}, middle);
   }
   if (kind == "follow" || kind == "robot") {

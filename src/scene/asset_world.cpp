@@ -164,22 +164,22 @@ World WorldOf(const assets::AssetScene& asset, const std::string& name,
     ground += GroundArea(mesh);
   }
   if (extent.empty()) extent = assets::ExtentOf(asset);
-  world.corner = {extent.low.x, extent.low.y};
+  world.low = {extent.low.x, extent.low.y};
   world.size_x = extent.high.x - extent.low.x;
   world.size_y = extent.high.y - extent.low.y;
   constexpr double kShare = 0.2;
   world.has_floor = ground < kShare * world.size_x * world.size_y;
   if (world.has_floor || world.size_x <= 0.0 || world.size_y <= 0.0) {
-    world.corner = world.corner - Vec2{kMargin, kMargin};
+    world.low = world.low - Vec2{kMargin, kMargin};
     world.size_x += 2.0 * kMargin;
     world.size_y += 2.0 * kMargin;
   }
   if (world.size_x > kFarthest || world.size_y > kFarthest) {
     // A floor larger than a scenario can have is cut; meshes may reach beyond it.
-    const Vec2 middle = world.corner + 0.5 * Vec2{world.size_x, world.size_y};
+    const Vec2 middle = world.low + 0.5 * Vec2{world.size_x, world.size_y};
     world.size_x = std::min(world.size_x, kFarthest);
     world.size_y = std::min(world.size_y, kFarthest);
-    world.corner = middle - 0.5 * Vec2{world.size_x, world.size_y};
+    world.low = middle - 0.5 * Vec2{world.size_x, world.size_y};
   }
   for (const assets::AssetObject& object : asset.objects) {
     if (!object.shown || !object.light || object.light->kind != "SUN") continue;
@@ -220,8 +220,8 @@ Scenario ScenarioOfAsset(const std::string& path, std::vector<std::string>* note
   scenario.camera.rotation = {kDown, 0.0, 0.0};
   const double away = std::min(0.95 * size, 0.9 * kFarthest);
   const auto within = [](double v) { return std::clamp(v, -kFarthest, kFarthest); };
-  scenario.camera.position = {within(world.corner.x + world.size_x / 2.0),
-                              within(world.corner.y + world.size_y / 2.0 - away), within(away)};
+  scenario.camera.position = {within(world.low.x + world.size_x / 2.0),
+                              within(world.low.y + world.size_y / 2.0 - away), within(away)};
   scenario.canvas.width = 64;
   scenario.canvas.height = 64;
   return scenario;

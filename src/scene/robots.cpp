@@ -118,6 +118,7 @@ RobotModel ModelOf(const RobotDef& robot) {
   model.length = high.x - low.x;
   model.width = high.y - low.y;
   model.mass = body.mass;
+  model.origin_height = body.origin_height;
   model.wheel_track = model.width;  // as good a guess as any: nothing depends on it
   model.max_speed = body.max_speed;
   model.max_side_speed = body.max_side_speed;

@@ -395,6 +395,7 @@ BodyDef ReadBody(const Field& field) {
     reader.Require("max_side_speed").FailHere("is for robots whose drive is \"omni\"; remove it");
   }
   body.max_turn_rate = reader.Number("max_turn_rate", body.max_turn_rate, {0.0, kFastest, true});
+  body.origin_height = reader.Number("origin_height", body.origin_height, {0.0, kFarthest});
   reader.Finish();
   return body;
 }
@@ -448,10 +449,102 @@ std::vector<RangerDef> ReadRangers(const Field& field, const RobotModel& model) 
   return rangers;
 }
 
+// Identifiers with dots between them.
+std::string ReadComponentName(const Field& field) {
+  const std::string& name = field.Text();
+  bool good = !name.empty() && name.size() <= 256 && name.front() != '.' && name.back() != '.' &&
+              name.find("..") == std::string::npos;
+  for (const char c : name) {
+    good = good && (c == '.' || c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
+                    (c >= 'A' && c <= 'Z'));
+  }
+  if (!good) {
+    field.FailHere(fmt::format(
+        "is {}, must be letters, digits, '_' and dots between them, 1 to 256", Quoted(name)));
+  }
+  return name;
+}
+
+ComponentDef ReadComponent(const Field& field) {
+  ObjectReader reader(field);
+  ComponentDef component;
+  component.name = ReadComponentName(reader.Require("name"));
+  component.type = reader.Require("type").Choice(ComponentTypes());
+  component.frequency = reader.Number("frequency", component.frequency, {0.0, 1000.0, true});
+  component.position = reader.Vector("position", component.position, kFarthest);
+  component.rotation = reader.Vector("rotation", component.rotation, 20.0 * kPi);
+  component.stream = reader.Bool("stream", component.stream);
+  component.services = reader.Bool("services", component.services);
+  if (reader.Has("noise")) {
+    if (component.type != "Pose") reader.Require("noise").FailHere("is for a Pose; remove it");
+    component.noise = ReadPoseNoise(reader.Require("noise"));
+  }
+  if (component.type == "LaserScanner") {
+    LaserDef laser = MorseLaser(30.0, 180.0, 1.0);  // MORSE's own defaults (specs: morse.md B.2)
+    laser.frequency = component.frequency;
+    laser.position = component.position;
+    laser.roll = component.rotation.x;
+    laser.pitch = component.rotation.y;
+    laser.yaw = component.rotation.z;
+    if (reader.Has("laser")) laser = ReadLaser(reader.Require("laser"), laser);
+    component.frequency = laser.frequency;
+    component.position = laser.position;
+    component.rotation = {laser.roll, laser.pitch, laser.yaw};
+    component.laser = laser;
+  } else if (reader.Has("laser")) {
+    reader.Require("laser").FailHere("is for a LaserScanner; remove it");
+  }
+  reader.Finish();
+  return component;
+}
+
+// The devices of a robot that has others than those of its type; they are found by Player's clients
+// under the first indexes.
+void ReadComponents(ObjectReader& reader, RobotDef& robot) {
+  for (const char* key : {"front", "laser", "ir", "sonar", "rangers", "proxies"}) {
+    if (reader.Has(key)) {
+      reader.Require(key).FailHere("belongs to a robot without 'components'; remove one of them");
+    }
+  }
+  std::vector<ComponentDef> components;
+  for (const Field& item : reader.Require("components").Items()) {
+    ComponentDef component = ReadComponent(item);
+    for (const ComponentDef& other : components) {
+      if (other.name != component.name) continue;
+      item.FailHere(
+          fmt::format("is called {}, as is another component of the robot; choose "
+                      "another name",
+                      Quoted(component.name)));
+    }
+    components.push_back(std::move(component));
+  }
+  robot.front = "none";
+  robot.proxies.clear();
+  for (const ComponentDef& component : components) {
+    const bool scans = component.type == "LaserScanner";
+    if (!scans && component.type != "Pose" && component.type != "Odometry") continue;
+    robot.proxies[scans ? "laser" : "position2d"].emplace(0, component.name);
+  }
+  robot.components = std::move(components);
+}
+
+PropDef ReadProp(const Field& field) {
+  ObjectReader reader(field);
+  PropDef prop;
+  prop.name = reader.Require("name").Text();
+  prop.file = reader.Require("file").Text();
+  if (reader.Has("object")) prop.object = reader.Require("object").Text();
+  prop.position = reader.Vector("position", prop.position, kFarthest);
+  prop.rotation = reader.Vector("rotation", prop.rotation, 20.0 * kPi);
+  reader.Finish();
+  return prop;
+}
+
 // A robot of type Custom says itself what the model of another type would.
 void ReadCustom(ObjectReader& reader, RobotDef& robot) {
   robot.body = ReadBody(reader.Require("body"));
   robot.front = reader.Has("laser") ? "laser" : "none";
+  if (reader.Has("components")) return;
   robot.front = reader.Choice("front", robot.front, std::vector<std::string>{robot.front});
 }
 
@@ -471,7 +564,9 @@ RobotDef ReadRobot(const Field& field, std::size_t number) {
   robot.pose = reader.Has("pose") ? ReadPose(reader.Require("pose")) : kDefaultPose;
   robot.color = reader.ReadColor("color", robot.color);
   static const std::vector<std::string> fronts = {"laser", "sensors"};
-  if (!custom) robot.front = reader.Choice("front", robot.front, fronts);
+  const bool own = reader.Has("components");
+  if (own) ReadComponents(reader, robot);
+  if (!custom && !own) robot.front = reader.Choice("front", robot.front, fronts);
   if (robot.front == "laser" && custom) robot.proxies["laser"][0] = "hokuyo";
   if (robot.front == "sensors") robot.proxies.erase("laser");
   if (reader.Has("ir")) robot.ir = ReadRing(reader.Require("ir"), model.ir);
@@ -483,7 +578,7 @@ RobotDef ReadRobot(const Field& field, std::size_t number) {
   if (reader.Has("pose_noise")) robot.pose_noise = ReadPoseNoise(reader.Require("pose_noise"));
   if (reader.Has("odometry")) robot.odometry = ReadOdometry(reader.Require("odometry"));
   CheckRings(reader, robot);
-  CheckModule(reader, robot);
+  if (!own) CheckModule(reader, robot);
   reader.Finish();
   return robot;
 }
@@ -531,9 +626,9 @@ std::string ProblemOfPlace(const Scenario& scenario, const std::vector<MeshPart>
   const std::vector<Vec2> outline = Outline(robot);
   const World& world = scenario.world;
   for (const Vec2 corner : outline) {
-    const Vec2 on_floor = corner - world.corner;
-    if (on_floor.x < 0.0 || on_floor.y < 0.0 || on_floor.x > world.size_x ||
-        on_floor.y > world.size_y) {
+    const Vec2 high = world.high();
+    if (corner.x < world.low.x || corner.y < world.low.y || corner.x > high.x ||
+        corner.y > high.y) {
       return fmt::format("{} does not stand on the floor of world '{}', {} x {} m; move it", who,
                          world.name, world.size_x, world.size_y);
     }
@@ -668,6 +763,12 @@ Scenario ReadScenario(const Json& json, const std::string& file) {
     const Json world = Json::Parse(kDefaultWorld);
     scenario.world = ReadWorldChoice(Field(world, "world", file));
   }
+  if (reader.Has("environment")) scenario.environment = reader.Require("environment").Text();
+  if (reader.Has("props")) {
+    for (const Field& prop : reader.Require("props").Items()) {
+      scenario.props.push_back(ReadProp(prop));
+    }
+  }
   if (reader.Has("obstacles")) {
     scenario.obstacles = ReadObstacles(reader.Require("obstacles"), scenario.world);
   }
@@ -740,7 +841,32 @@ Json BodyToJson(const BodyDef& body) {
                       {"wheelbase", body.wheelbase},
                       {"max_speed", body.max_speed},
                       {"max_side_speed", body.max_side_speed},
-                      {"max_turn_rate", body.max_turn_rate}};
+                      {"max_turn_rate", body.max_turn_rate},
+                      {"origin_height", body.origin_height}};
+}
+
+Json ComponentToJson(const ComponentDef& component) {
+  Json::Object object = {{"name", component.name},
+                         {"type", component.type},
+                         {"frequency", component.frequency},
+                         {"position", VectorToJson(component.position)},
+                         {"rotation", VectorToJson(component.rotation)},
+                         {"stream", component.stream},
+                         {"services", component.services}};
+  if (component.type == "Pose") {
+    object.emplace_back("noise", Json::Object{{"pos_std", component.noise.pos_std},
+                                              {"rot_std", component.noise.rot_std}});
+  }
+  if (component.type == "LaserScanner") object.emplace_back("laser", LaserToJson(component.laser));
+  return object;
+}
+
+Json PropToJson(const PropDef& prop) {
+  return Json::Object{{"name", prop.name},
+                      {"file", prop.file},
+                      {"object", prop.object},
+                      {"position", VectorToJson(prop.position)},
+                      {"rotation", VectorToJson(prop.rotation)}};
 }
 
 Json RobotToJson(const RobotDef& robot) {
@@ -756,11 +882,19 @@ Json RobotToJson(const RobotDef& robot) {
                          {"type", robot.type},
                          {"pose", PoseToJson(robot.pose)},
                          {"color", ColorText(robot.color)},
-                         {"proxies", std::move(proxies)},
                          {"drivers", std::move(drivers)},
                          {"pose_noise", Json::Object{{"pos_std", robot.pose_noise.pos_std},
-                                                     {"rot_std", robot.pose_noise.rot_std}}},
-                         {"front", robot.front}};
+                                                     {"rot_std", robot.pose_noise.rot_std}}}};
+  if (robot.components) {
+    Json::Array components;
+    for (const ComponentDef& component : *robot.components) {
+      components.push_back(ComponentToJson(component));
+    }
+    object.emplace_back("components", std::move(components));
+  } else {
+    object.emplace_back("proxies", std::move(proxies));
+    object.emplace_back("front", robot.front);
+  }
   if (robot.body) object.emplace_back("body", BodyToJson(*robot.body));
   const OdometryDef& odometry = robot.odometry;
   object.emplace_back("odometry", Json::Object{{"start", PoseToJson(odometry.start)},
@@ -803,7 +937,24 @@ std::vector<std::string> PlaceProblems(const Scenario& scenario) {
   return problems;
 }
 
+const std::vector<std::string>& ComponentTypes() {
+  static const std::vector<std::string> types = {
+      "LaserScanner", "MotionVW", "Odometry", "Pen", "Pose", "RobotProperties", "Waypoint"};
+  return types;
+}
+
 std::vector<std::string> DevicesFor(const RobotDef& robot, const std::string& interface) {
+  if (robot.components) {
+    std::vector<std::string> devices;
+    for (const ComponentDef& component : *robot.components) {
+      const bool serves = component.type == "LaserScanner"
+                              ? interface == "laser" || interface == "ranger"
+                              : interface == "position2d" &&
+                                    (component.type == "Pose" || component.type == "Odometry");
+      if (serves) devices.push_back(component.name);
+    }
+    return devices;
+  }
   if (interface == "position2d") return {"pose", "odometry"};
   const bool lasers = interface == "laser" || interface == "ranger";
   const bool rings = interface == "sonar" || interface == "ir" || interface == "ranger";
@@ -839,6 +990,12 @@ Json ToJson(const Scenario& scenario) {
                             {"read_frequency", time.read_frequency},
                             {"end", time.end}}},
       {"seed", static_cast<std::int64_t>(scenario.seed)}};
+  if (!scenario.environment.empty()) object.emplace_back("environment", scenario.environment);
+  if (!scenario.props.empty()) {
+    Json::Array props;
+    for (const PropDef& prop : scenario.props) props.push_back(PropToJson(prop));
+    object.emplace_back("props", std::move(props));
+  }
   if (scenario.player) object.emplace_back("player", PlayerSetupToJson(*scenario.player));
   return object;
 }

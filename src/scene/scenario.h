@@ -55,14 +55,13 @@ struct Light {
   bool shadows = false;  ///< casts shadows
 };
 
-/// The world: a rectangular floor with boxes on it; the origin is the floor's bottom-left corner
-/// unless `corner` says otherwise.
+/// The world: a rectangular floor with boxes on it. The origin is the floor's bottom-left corner,
+/// unless `low` says where else that corner is: MORSE's worlds lie around (0, 0).
 struct World {
   std::string name;     ///< "syrotek"
   double size_x = 0.0;  ///< m, > 0
   double size_y = 0.0;  ///< m, > 0
-  /// The floor's bottom-left corner, m: MORSE's environments lie around the origin.
-  Vec2 corner;
+  Vec2 low;             ///< m, of the floor's bottom-left corner
   /// The floor is drawn, and beams end at it. Without, meshes are the ground, and the floor is only
   /// where robots may stand.
   bool has_floor = true;
@@ -70,6 +69,10 @@ struct World {
   /// the middle of most of its worlds, here it is `origin` (specs: player.md C.3).
   Vec2 origin;
   Color floor{255, 255, 255};
+
+  Vec2 high() const { return {low.x + size_x, low.y + size_y}; }  ///< m, of the other corner
+  Vec2 middle() const { return {low.x + size_x / 2.0, low.y + size_y / 2.0}; }  ///< m, of the floor
+
   std::vector<Box> boxes;    ///< in order of id
   std::vector<Mesh> meshes;  ///< in order of id
   std::vector<Pose2> docks;  ///< parking places, m and rad: in the bay, facing out of it
@@ -142,6 +145,7 @@ struct BodyDef {
   double max_speed = 1.0;       ///< m/s, > 0; commands are clamped to it
   double max_side_speed = 0.0;  ///< m/s, >= 0; more than 0 only for "omni"
   double max_turn_rate = 1.5;   ///< rad/s, > 0; commands are clamped to it
+  double origin_height = 0.0;   ///< m above the floor, >= 0: where the robot's frame lies
 };
 
 /// What a robot's odometry reports (specs: player.md C.3, localization "odom").
@@ -157,6 +161,33 @@ struct OdometryDef {
 struct PoseNoiseDef {
   double pos_std = 0.0;  ///< m, >= 0, on x and y each
   double rot_std = 0.0;  ///< rad, >= 0, on yaw
+};
+
+/// One device of a robot that has others than those of its type, as a MORSE builder script mounts
+/// it (specs: morse.md C.2; docs/morse.md).
+struct ComponentDef {
+  std::string name;         ///< after the robot's, unique there; dots where nested ("arm.tool")
+  std::string type;         ///< one of ComponentTypes()
+  double frequency = 60.0;  ///< Hz, > 0
+  Vec3 position;            ///< on the robot, m, in its frame
+  Vec3 rotation;            ///< there: roll, pitch, yaw, rad
+  bool stream = true;       ///< has a port of its own (MORSE's add_stream)
+  bool services = true;     ///< answers on the service port (MORSE's add_service)
+  PoseNoiseDef noise;       ///< of a Pose
+  LaserDef laser;           ///< of a LaserScanner; mounted and timed as above
+};
+
+/// The types of component that the simulator has, sorted, by MORSE's names.
+const std::vector<std::string>& ComponentTypes();
+
+/// Something from a model file that stands in the world: MORSE's passive object. Only kept with the
+/// scenario so far.
+struct PropDef {
+  std::string name;
+  std::string file;    ///< of the model, a path
+  std::string object;  ///< of the file's objects only those whose names start so; "": all
+  Vec3 position;       ///< m
+  Vec3 rotation;       ///< roll, pitch, yaw, rad
 };
 
 /// What one robot carries under Player's names (thesis 3.2: "indexes of proxies available").
@@ -185,6 +216,8 @@ struct RobotDef {
   PoseNoiseDef pose_noise;
   OdometryDef odometry;
   std::optional<BodyDef> body;  ///< of a robot of type "Custom", and of no other
+  /// All its devices where it has not those of its type; then front is "none".
+  std::optional<std::vector<ComponentDef>> components;
 };
 
 /// The grid-map canvas (thesis 4.2.1).
@@ -264,6 +297,9 @@ struct ObstacleRules {
 struct Scenario {
   std::string name;  ///< file name without folder and ending
   World world;
+  /// The model file that the world stands in for, a path or a name of MORSE's; "": none. Only kept.
+  std::string environment;
+  std::vector<PropDef> props;
   ObstacleRules obstacles;
   std::vector<RobotDef> robots;
   CanvasDef canvas;

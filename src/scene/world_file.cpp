@@ -299,7 +299,7 @@ World ReadWorld(const Field& field) {
   if (sides.size() != 2) size.FailHere(fmt::format("has {} numbers, must be [x, y]", sides.size()));
   world.size_x = sides[0].Number(kSize);
   world.size_y = sides[1].Number(kSize);
-  if (reader.Has("corner")) world.corner = ReadPoint(reader.Require("corner"));
+  if (reader.Has("low")) world.low = ReadPoint(reader.Require("low"));
   if (reader.Has("origin")) world.origin = ReadPoint(reader.Require("origin"));
   if (reader.Has("floor") && reader.Require("floor").value().IsBool()) {
     world.has_floor = reader.Require("floor").Bool();
@@ -369,8 +369,8 @@ Json WorldToJson(const World& world) {
                          {"meshes", std::move(meshes)},
                          {"docks", std::move(docks)},
                          {"lights", std::move(lights)}};
-  if (world.corner.x != 0.0 || world.corner.y != 0.0) {
-    object.emplace_back("corner", Json::Array{world.corner.x, world.corner.y});
+  if (world.low.x != 0.0 || world.low.y != 0.0) {
+    object.emplace_back("low", Json::Array{world.low.x, world.low.y});
   }
   return object;
 }

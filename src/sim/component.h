@@ -38,6 +38,7 @@ class Component {
   const std::string& name() const { return name_; }            ///< "pose"
   const std::string& type() const { return type_; }
   double frequency() const { return frequency_; }
+  void set_frequency(double frequency) { frequency_ = frequency; }  ///< Hz, > 0; before the run
   Robot& robot() const { return robot_; }
 
   /// A component that is switched off neither samples nor acts (`simulation deactivate`).
@@ -60,9 +61,26 @@ class Component {
   virtual Json Configurations() const { return Json(Json::Object{}); }
 
   /// Where it sits on its robot, m, in the robot's frame.
-  virtual Vec3 mount() const { return {}; }
+  virtual Vec3 mount() const { return mount_; }
   /// How it is turned there.
-  virtual Rotation mount_rotation() const { return {}; }
+  virtual Rotation mount_rotation() const {
+    return FromEuler(mount_euler_.x, mount_euler_.y, mount_euler_.z);
+  }
+  const Vec3& mount_euler() const { return mount_euler_; }  ///< roll, pitch, yaw, rad
+  /// To be called before the run.
+  void set_mount(const Vec3& position, const Vec3& euler) {
+    mount_ = position;
+    mount_euler_ = euler;
+  }
+
+  /// Whether it has a stream, and services: MORSE's components have only the ones that a script
+  /// gave them.
+  bool streamed() const { return streamed_; }
+  bool served() const { return served_; }
+  void set_interfaces(bool streamed, bool served) {
+    streamed_ = streamed;
+    served_ = served;
+  }
 
   /// Back to the state at the start of the simulation.
   virtual void Reset();
@@ -92,6 +110,10 @@ class Component {
   std::string type_;
   double frequency_;
   bool active_ = true;
+  bool streamed_ = true;
+  bool served_ = true;
+  Vec3 mount_;
+  Vec3 mount_euler_;
   std::uint64_t next_tick_ = 0;  // of its next activation
   double timestamp_ = 0.0;
   bool text_valid_ = false;

@@ -467,6 +467,7 @@ int Run(int argc, char** argv) {
     ccmorse::tools::PrepareScene(scene);
     if (!scene.note.empty() && !run.quiet) ccmorse::LogInfo("{}", scene.note);
     run.scenario = scene.file;
+    run.script_arguments = scene.arguments;
     run.name = scene.name;
     return ccmorse::tools::Run(run);
   } catch (const ccmorse::Error& error) {

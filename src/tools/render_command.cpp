@@ -1,3 +1,4 @@
+#include "tools/builder_script.h"
 #include "tools/render_command.h"
 
 #include <fmt/core.h>
@@ -48,7 +49,7 @@ render::Camera CameraFrom(const RenderArguments& arguments, const sim::Simulatio
   }
   const auto& from = arguments.from;
   const scene::World& world = simulation.world().scene();
-  Vec3 at{world.corner.x + world.size_x / 2.0, world.corner.y + world.size_y / 2.0, 0.0};
+  Vec3 at{world.middle().x, world.middle().y, 0.0};
   if (!arguments.at.empty()) at = {arguments.at[0], arguments.at[1], arguments.at[2]};
   return render::Camera::LookAt({from[0], from[1], from[2]}, at);
 }
@@ -97,7 +98,7 @@ int Render(const RenderArguments& arguments) {
     name = std::filesystem::path(arguments.what).stem().string();
   } else {
     own = std::make_unique<sim::Simulation>(
-        scene::ImportScenario(scene::FindScenario(arguments.what)).scenario, arguments.threads);
+        ImportScene(arguments.what).scenario, arguments.threads);
     own->Sense();
     while (own->time() < arguments.time.value_or(0.0)) {
       own->Act();

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -24,6 +25,7 @@
 #include "servers/run_report.h"
 #include "servers/runner.h"
 #include "servers/web/web_server.h"
+#include "tools/builder_script.h"
 #include "tools/open_browser.h"
 #include "tools/stop_signals.h"
 #include "tools/top_view.h"
@@ -95,6 +97,12 @@ void PrintReport(const sim::Simulation& simulation, const servers::MorseServer& 
 void WritePicture(const sim::Simulation& simulation, const std::string& path) {
   TopView view;
   view.world = &simulation.world().scene();
+  // A world of MORSE's is many times as large as an arena: a coarser picture is better than none.
+  constexpr double kFinest = 8192.0;  // pixels a side
+  constexpr double kCoarse = 2048.0;
+  const double side = std::max(view.world->size_x, view.world->size_y) + 2.0 * view.margin;
+  if (side * view.pixels_per_metre > kFinest)
+    view.pixels_per_metre = std::max(10.0, kCoarse / side);
   for (const auto& robot : simulation.robots()) {
     view.robots.push_back({&robot->model(), robot->pose(), robot->def().color, {}, {}});
   }
@@ -161,7 +169,7 @@ class HashPrinter : public servers::RunWatcher {
 
 int Run(const RunArguments& arguments) {
   if (arguments.quiet) SetLogLevel(LogLevel::kError);
-  scene::ImportedScenario imported = scene::ImportScenario(scene::FindScenario(arguments.scenario));
+  scene::ImportedScenario imported = ImportScene(arguments.scenario, arguments.script_arguments);
   for (const scene::FileNote& note : imported.notes) {
     if (note.matters) LogWarning("{}: {}", note.at.Text(), note.text);
   }
@@ -272,8 +280,7 @@ int Run(const RunArguments& arguments) {
 }
 
 int Convert(const ConvertArguments& arguments) {
-  const scene::ImportedScenario imported =
-      scene::ImportScenario(scene::FindScenario(arguments.file));
+  const scene::ImportedScenario imported = Import(arguments.file, {});
   for (const scene::FileNote& note : imported.notes) {
     fmt::print(stderr, "{}: {}{}\n", note.at.Text(), note.matters ? "" : "(no matter) ", note.text);
   }

@@ -12,6 +12,8 @@ struct RunArguments {
   std::string scenario;              ///< name or path
   std::string name;                  ///< of the environment that it belongs to, or ""
   bool headless = false;             ///< no live view
+  /// Of a builder script, in its sys.argv behind "--".
+  std::vector<std::string> script_arguments;
   std::optional<std::string> pace;   ///< "real", "lockstep" or "max"
   double seconds = 0.0;              ///< simulated; 0: until stopped
   int threads = 0;                   ///< that share the work; 0: as many as are sensible

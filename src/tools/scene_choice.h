@@ -11,7 +11,7 @@ namespace ccmorse::tools {
 
 /// Whether this build runs MORSE's builder scripts (*.py). Where it does not, `create` writes a
 /// scenario.json beside default.py, so that what it made starts all the same.
-inline constexpr bool kRunsBuilderScripts = false;
+inline constexpr bool kRunsBuilderScripts = true;
 
 /// What `ccmorse run` starts.
 struct SceneChoice {

@@ -327,8 +327,8 @@ Frame MakeFrame(const TopView& view) {
   const scene::World& world = *view.world;
   Frame frame;
   frame.scale = view.pixels_per_metre * kSamples;
-  frame.left = world.corner.x - view.margin;
-  frame.top = world.corner.y + world.size_y + view.margin;
+  frame.left = world.low.x - view.margin;
+  frame.top = world.high().y + view.margin;
   const auto side = [&view](double metres) {
     const double pixels = std::ceil((metres + 2.0 * view.margin) * view.pixels_per_metre - 1e-6);
     if (!(pixels <= kLargestSide)) {
@@ -429,17 +429,16 @@ class Painter {
   }
 
   Color Ground(Vec2 point, double floor_light) const {
-    const Vec2 on_floor = point - world_.corner;
-    if (on_floor.x < 0.0 || on_floor.y < 0.0 || on_floor.x > world_.size_x ||
-        on_floor.y > world_.size_y) {
+    const Vec2 high = world_.high();
+    if (point.x < world_.low.x || point.y < world_.low.y || point.x > high.x || point.y > high.y) {
       return kBackground;
     }
     const Color floor =
         Shade(world_.floor, IsOnGrid(point) ? floor_light * kGridShade : floor_light);
     const TopViewCanvas& canvas = view_.canvas;
     if (canvas.width == 0) return floor;
-    const auto x = static_cast<int>(on_floor.x / canvas.cell_size);
-    const auto y = static_cast<int>(on_floor.y / canvas.cell_size);
+    const auto x = static_cast<int>((point.x - world_.low.x) / canvas.cell_size);
+    const auto y = static_cast<int>((point.y - world_.low.y) / canvas.cell_size);
     if (x >= canvas.width || y >= canvas.height) return floor;
     const auto cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(canvas.width) +
                       static_cast<std::size_t>(x);
@@ -527,9 +526,8 @@ Image RenderTopView(const TopView& view) {
 }
 
 Pixel PixelOf(const TopView& view, Vec2 point) {
-  const scene::World& world = *view.world;
-  const double x = (point.x - world.corner.x + view.margin) * view.pixels_per_metre;
-  const double y = (world.corner.y + world.size_y + view.margin - point.y) * view.pixels_per_metre;
+  const double x = (point.x - view.world->low.x + view.margin) * view.pixels_per_metre;
+  const double y = (view.world->high().y + view.margin - point.y) * view.pixels_per_metre;
   return {static_cast<int>(std::floor(x)), static_cast<int>(std::floor(y))};
 }
 

@@ -67,8 +67,8 @@ TEST_F(AssetWorld, FileIsTheWorldAroundItsOrigin) {
     "robots": [{"pose": {"x": -8, "y": -4, "yaw": 0}}]})");
   const World& world = scenario.world;
   EXPECT_EQ(world.name, "hall");
-  EXPECT_EQ(world.corner.x, -10.0);
-  EXPECT_EQ(world.corner.y, -5.0);
+  EXPECT_EQ(world.low.x, -10.0);
+  EXPECT_EQ(world.low.y, -5.0);
   EXPECT_EQ(world.size_x, 20.0);
   EXPECT_EQ(world.size_y, 10.0);
   EXPECT_FALSE(world.has_floor);  // it has a ground of its own
@@ -94,11 +94,11 @@ TEST_F(AssetWorld, ScenarioWrittenInFullReadsTheSameWithoutTheFile) {
   const Scenario again = ParseScenario(text, "elsewhere.json");
   EXPECT_EQ(ToJson(again).Dump(), text);
   EXPECT_FALSE(again.world.has_floor);
-  EXPECT_EQ(again.world.corner.x, -10.0);
+  EXPECT_EQ(again.world.low.x, -10.0);
 }
 
 TEST_F(AssetWorld, MeshOfAFileIsPlacedScaledAndKeepsItsColours) {
-  const Scenario scenario = Parse(R"({"world": {"name": "w", "size": [40, 40], "corner": [-20, -20],
+  const Scenario scenario = Parse(R"({"world": {"name": "w", "size": [40, 40], "low": [-20, -20],
     "meshes": [{"id": 9, "file": "shapes/hall.obj", "scale": 0.5, "position": [1, 2, 3],
                 "rotation": [0, 0, 1.5707963267948966], "solid": false}]}, "robots": []})");
   const Mesh& mesh = scenario.world.meshes.at(0);
@@ -145,7 +145,7 @@ TEST_F(AssetWorld, WallsWithoutGroundGetAFloor) {
   Write("shapes/wall.obj", "v 0 0 0\nv 4 0 0\nv 4 0 2\nv 0 3 0\nv 0 3 2\nf 1 2 3\nf 1 4 5\n");
   const World world = Parse(R"({"world": {"file": "shapes/wall.obj"}, "robots": []})").world;
   EXPECT_TRUE(world.has_floor);
-  EXPECT_EQ(world.corner.x, -0.5);
+  EXPECT_EQ(world.low.x, -0.5);
   EXPECT_EQ(world.size_x, 5.0);
 }
 

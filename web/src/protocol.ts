@@ -76,7 +76,7 @@ export interface Scene {
   world: string;
   size_x: number;
   size_y: number;
-  corner: [number, number]; // of the floor, m
+  low: [number, number]; // of the floor, m
   floor: number | null; // null: meshes are the ground
   boxes: Box[];
   meshes: Mesh[];

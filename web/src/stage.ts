@@ -26,9 +26,10 @@ const WIDE = 1.5; // times as wide as high, or more
 const WIDEST = 80; // degrees
 const SLAB_COLOR = 0x5c636b; // beneath the floor
 
+// Of its floor, m.
 function middleOf(scene: Scene): THREE.Vector3 {
   return new THREE.Vector3(
-    scene.corner[0] + scene.size_x / 2, scene.corner[1] + scene.size_y / 2, 0);
+    scene.low[0] + scene.size_x / 2, scene.low[1] + scene.size_y / 2, 0);
 }
 
 // Low where a processor has to draw, and where the page's address says ?quality=low.
@@ -595,7 +596,7 @@ export class Stage {
         }),
       );
       this.canvasPlane.position.set(
-        scene.corner[0] + (cell * width) / 2, scene.corner[1] + (cell * height) / 2, 0.002);
+        scene.low[0] + (cell * width) / 2, scene.low[1] + (cell * height) / 2, 0.002);
       this.canvasPlane.renderOrder = 1;
       this.canvasPlane.visible = this.groundCanvas;
       this.content.add(this.canvasPlane);

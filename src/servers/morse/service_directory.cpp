@@ -94,7 +94,9 @@ ServiceDirectory::ServiceDirectory(sim::Simulation& simulation, RunControl contr
     : simulation_(simulation),
       control_(std::move(control)),
       camera_(simulation.scenario().camera.position) {
-  for (sim::Component* component : simulation_.components()) AddComponentServices(*component);
+  for (sim::Component* component : simulation_.components()) {
+    if (component->served()) AddComponentServices(*component);
+  }
   AddSimulationServices();
   AddTimeServices();
   AddCommunicationServices();
@@ -103,7 +105,7 @@ ServiceDirectory::ServiceDirectory(sim::Simulation& simulation, RunControl contr
 }
 
 bool ServiceDirectory::HasStream(const sim::Component& component) {
-  return component.type() != "Pen";
+  return component.type() != "Pen" && component.streamed();
 }
 
 void ServiceDirectory::Add(const std::string& component, Service service) {
@@ -411,17 +413,28 @@ Json ServiceDirectory::Details() const {
     Json components(Json::Object{});
     for (const auto& component : robot->components()) {
       Json::Array services;
-      const auto& table = services_.at(component->full_name());
-      for (const auto& [name, service] : table) services.push_back(name);
-      Json entry(Json::Object{{"type", component->type()},
-                              {"services", std::move(services)},
-                              {"service_interfaces", kServiceInterfaces}});
+      Json entry(Json::Object{{"type", component->type()}});
+      const auto table = services_.find(component->full_name());
+      if (table != services_.end()) {  // MORSE leaves both out where there are none
+        for (const auto& [name, service] : table->second) services.push_back(name);
+        entry.Set("services", std::move(services));
+        entry.Set("service_interfaces", kServiceInterfaces);
+      }
       if (HasStream(*component)) {
         const bool out = dynamic_cast<const sim::Sensor*>(component.get()) != nullptr;
         entry.Set("stream_interfaces",
                   Json::Array{Json::Array{kStreamManager, out ? "OUT" : "IN"}});
       }
-      components.Set(component->full_name(), std::move(entry));
+      // pymorse looks for all that a nested name goes through, simulated or not.
+      const std::string& name = component->full_name();
+      for (std::size_t dot = name.find('.', robot->name().size() + 1); dot != std::string::npos;
+           dot = name.find('.', dot + 1)) {
+        const std::string above = name.substr(0, dot);
+        if (components.Find(above) == nullptr) {
+          components.Set(above, Json(Json::Object{{"type", "Component"}}));
+        }
+      }
+      components.Set(name, std::move(entry));
     }
     robots.push_back(Json::Object{{"name", robot->name()},
                                   {"type", robot->def().type},

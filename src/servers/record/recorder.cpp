@@ -263,7 +263,7 @@ void Recorder::WriteScene() {
   constexpr double kThin = 0.001;  // m
   if (world.has_floor) {
     cubes.push_back(CubeJson(
-        {world.corner.x + world.size_x / 2.0, world.corner.y + world.size_y / 2.0, -kThin / 2.0},
+        {world.low.x + world.size_x / 2.0, world.low.y + world.size_y / 2.0, -kThin / 2.0},
         0.0, {world.size_x, world.size_y, kThin}, world.floor));
   }
   for (const scene::Box& box : world.boxes) {

@@ -158,7 +158,7 @@ std::string ViewModel::Scene(const Json& more) const {
                           {"world", world.name},
                           {"size_x", world.size_x},
                           {"size_y", world.size_y},
-                          {"corner", Json::Array{world.corner.x, world.corner.y}},
+                          {"low", Json::Array{world.low.x, world.low.y}},
                           {"floor", world.has_floor ? Json(Hex(world.floor)) : Json()},
                           {"boxes", std::move(boxes)},
                           {"meshes", std::move(meshes)},

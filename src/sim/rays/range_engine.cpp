@@ -128,8 +128,9 @@ void RangeEngine::MeetFloor(const Ray& ray, RayHit& hit) const {
   if (!(ray.direction.z < 0.0) || !world.has_floor) return;
   const double distance = -ray.origin.z / ray.direction.z;
   if (!(distance >= 0.0 && distance < hit.distance)) return;
-  const Vec3 at = ray.origin + distance * ray.direction - Vec3{world.corner.x, world.corner.y, 0.0};
-  if (at.x < 0.0 || at.y < 0.0 || at.x > world.size_x || at.y > world.size_y) return;
+  const Vec3 at = ray.origin + distance * ray.direction;
+  const Vec2 high = world.high();
+  if (at.x < world.low.x || at.y < world.low.y || at.x > high.x || at.y > high.y) return;
   hit = {distance, {HitKind::kFloor, 0, 0}};
 }
 
@@ -225,8 +226,8 @@ void RangeEngine::Build() const {
     if (is_new) models.push_back(HullTriangles(robot->model()));
     model_of.push_back(model->second);
   }
-  const double far_x = std::max(std::fabs(world.corner.x), world.size_x + world.corner.x);
-  const double far_y = std::max(std::fabs(world.corner.y), world.size_y + world.corner.y);
+  const double far_x = std::max(std::fabs(world.low.x), world.size_x + world.low.x);
+  const double far_y = std::max(std::fabs(world.low.y), world.size_y + world.low.y);
   triangles_->Build(fixed, models, model_of, std::max({extent_, far_x, far_y}));
   built_revision_ = world_.revision();
 }

@@ -2,8 +2,16 @@
 
 #include <algorithm>
 
+#include "base/error.h"
+#include "sim/actuators/motion_vw.h"
+#include "sim/actuators/pen.h"
+#include "sim/actuators/waypoint.h"
 #include "sim/canvas.h"
 #include "sim/robots/s1r.h"
+#include "sim/sensors/laser_scanner.h"
+#include "sim/sensors/odometry.h"
+#include "sim/sensors/pose.h"
+#include "sim/sensors/robot_properties.h"
 
 namespace ccmorse::sim {
 
@@ -81,7 +89,42 @@ void Robot::Reset() {
   for (const auto& component : components_) component->Reset();
 }
 
+namespace {
+
+Component& AddComponent(Robot& robot, const scene::ComponentDef& def,
+                        const scene::Scenario& scenario, const World& world, Canvas& canvas) {
+  if (def.type == "LaserScanner") {
+    return robot.Add(
+        std::make_unique<LaserScanner>(robot, def.name, def.laser, world, scenario.seed));
+  }
+  if (def.type == "Pose") {
+    return robot.Add(std::make_unique<PoseSensor>(robot, def.name, scenario.seed, def.noise));
+  }
+  if (def.type == "Odometry") {
+    return robot.Add(std::make_unique<OdometrySensor>(robot, def.name, scenario.seed));
+  }
+  if (def.type == "RobotProperties") {
+    return robot.Add(std::make_unique<RobotProperties>(robot, def.name, scenario));
+  }
+  if (def.type == "MotionVW") return robot.Add(std::make_unique<MotionVW>(robot, def.name));
+  if (def.type == "Waypoint") return robot.Add(std::make_unique<Waypoint>(robot, def.name));
+  if (def.type == "Pen") return robot.Add(std::make_unique<Pen>(robot, def.name, canvas));
+  throw Error("there is no component of type '" + def.type + "'");
+}
+
+}  // namespace
+
 void Equip(Robot& robot, const scene::Scenario& scenario, const World& world, Canvas& canvas) {
+  if (robot.def().components) {
+    for (const scene::ComponentDef& def : *robot.def().components) {
+      Component& component = AddComponent(robot, def, scenario, world, canvas);
+      component.set_frequency(def.frequency);
+      component.set_mount(def.position, def.rotation);
+      component.set_interfaces(def.stream, def.services);
+      component.Reset();  // to show from the start what it has at its place
+    }
+    return;
+  }
   // All types carry the S1R's devices, as far as their scenario mounts them.
   EquipS1R(robot, scenario, world, canvas);
 }

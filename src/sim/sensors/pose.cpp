@@ -2,24 +2,38 @@
 
 #include <array>
 
+#include "base/polygon.h"
 #include "base/trig.h"
 #include "sim/robots/robot.h"
 
 namespace ccmorse::sim {
 
 PoseSensor::PoseSensor(Robot& robot, const std::string& name, std::uint64_t seed)
-    : Sensor(robot, name, "Pose", 60.0), noise_(seed, full_name()) {
+    : PoseSensor(robot, name, seed, robot.def().pose_noise) {}
+
+PoseSensor::PoseSensor(Robot& robot, const std::string& name, std::uint64_t seed,
+                       const scene::PoseNoiseDef& noise)
+    : Sensor(robot, name, "Pose", 60.0), noise_(seed, full_name()), deviation_(noise) {
   Read();
 }
 
 void PoseSensor::Read() {
   pose_ = robot().pose();
   z_ = robot().position().z;
+  const Vec3 at = mount();
+  // Rz(robot) Rz Ry Rx of the mount: its yaw is added, roll and pitch are the mount's own.
+  if (at.x != 0.0 || at.y != 0.0) {
+    const Vec2 place = Transform(pose_, {at.x, at.y});
+    pose_.x = place.x;
+    pose_.y = place.y;
+  }
+  z_ += at.z;
+  if (mount_euler().z != 0.0) pose_.yaw = NormalizeAngle(pose_.yaw + mount_euler().z);
 }
 
 void PoseSensor::Sample(const Instant& now) {
   Read();
-  const scene::PoseNoiseDef& noise = robot().def().pose_noise;
+  const scene::PoseNoiseDef& noise = deviation_;
   if (noise.pos_std > 0.0) {
     std::array<double, 2> off{};
     noise_.AddGaussian(now.tick, noise.pos_std, off.data(), off.size());
@@ -46,7 +60,7 @@ void PoseSensor::AddToHash(StateHash& hash) const {
 }
 
 void PoseSensor::AppendNumbers(std::vector<double>& out) const {
-  out.insert(out.end(), {pose_.x, pose_.y, z_, 0.0, 0.0, pose_.yaw});
+  out.insert(out.end(), {pose_.x, pose_.y, z_, mount_euler().x, mount_euler().y, pose_.yaw});
 }
 
 void PoseSensor::AppendFields(std::string& out) const {
@@ -54,8 +68,8 @@ void PoseSensor::AppendFields(std::string& out) const {
   AppendField(out, "y", pose_.y);
   AppendField(out, "z", z_);
   AppendField(out, "yaw", pose_.yaw);
-  AppendField(out, "pitch", 0.0);
-  AppendField(out, "roll", 0.0);
+  AppendField(out, "pitch", mount_euler().y);
+  AppendField(out, "roll", mount_euler().x);
 }
 
 }  // namespace ccmorse::sim

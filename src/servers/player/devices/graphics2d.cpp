@@ -44,7 +44,7 @@ bool Graphics2d::Place(const std::vector<wire::Point2d>& points) {
     // The robot's frame, or the world's as its file had it.
     at = index() == 0 ? Transform(robot_.pose(), at)
                       : at + context_.simulation.world().scene().origin;
-    at = (1.0 / cell) * (at - context_.simulation.world().scene().corner);
+    at = (1.0 / cell) * (at - context_.simulation.world().scene().low);
     if (!(std::fabs(at.x) < kFarthest && std::fabs(at.y) < kFarthest)) return false;
     placed_.push_back(at);
   }

@@ -29,11 +29,11 @@ navigation::OccupancyGrid DrawWorld(const sim::World& world) {
     return std::clamp(static_cast<int>(std::floor(place / scale)), 0, count - 1);
   };
   for (const sim::Obstacle& obstacle : world.obstacles()) {
-    const Vec2 c = obstacle.centre - scene.corner;
+    const Vec2 c = obstacle.centre - scene.low;
     const double r = obstacle.radius;
     for (int y = cell_at(c.y - r, map.height()); y <= cell_at(c.y + r, map.height()); ++y) {
       for (int x = cell_at(c.x - r, map.width()); x <= cell_at(c.x + r, map.width()); ++x) {
-        if (!Contains(obstacle.outline, map.CentreOf({x, y}) + scene.corner)) continue;
+        if (!Contains(obstacle.outline, map.CentreOf({x, y}) + scene.low)) continue;
         map.Set({x, y}, navigation::Cell::kOccupied);
       }
     }
@@ -75,8 +75,8 @@ bool MapDevice::Ask(std::uint8_t subtype, const wire::Body& body, Reply& reply) 
       info.width = static_cast<std::uint32_t>(map.width());
       info.height = static_cast<std::uint32_t>(map.height());
       // The world's own is told in the coordinates that the world's file had.
-      const scene::World& scene = context_.simulation.world().scene();
-      const Vec2 moved = of_world_ ? scene.origin - scene.corner : Vec2{};
+      const scene::World& world = context_.simulation.world().scene();
+      const Vec2 moved = of_world_ ? world.origin - world.low : Vec2{};
       info.origin = {map.origin().x - moved.x, map.origin().y - moved.y, 0.0};
       reply.Set(info);
       return body.empty();
@@ -114,8 +114,10 @@ bool MapDevice::GetTile(const wire::Body& body, Reply& reply) {
 bool MapDevice::GetVector(const wire::Body& body, Reply& reply) const {
   const sim::World& world = context_.simulation.world();
   wire::MapDataVector edges;
-  edges.maxx = world.scene().size_x;
-  edges.maxy = world.scene().size_y;
+  edges.minx = world.scene().low.x;
+  edges.miny = world.scene().low.y;
+  edges.maxx = world.scene().high().x;
+  edges.maxy = world.scene().high().y;
   for (const sim::Obstacle& obstacle : world.obstacles()) {
     const std::vector<Vec2>& outline = obstacle.outline;
     for (std::size_t i = 0; i < outline.size(); ++i) {

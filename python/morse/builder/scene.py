@@ -1,0 +1,367 @@
+"""The scene that a script has built, as the scenario that the simulator reads (docs/scenario.md)."""
+
+import json
+import math
+import os
+import re
+
+from morse.builder import bpymorse, data, places
+from morse.builder.abstractcomponent import AbstractComponent
+from morse.builder.blenderobjects import Mesh
+from morse.builder.environment import Environment, _stand_in
+from morse.builder.morsebuilder import PassiveObject, Robot, Zone
+from morse.core.morse_time import TimeStrategies
+
+_MOST_NAME = 64  # letters of a robot's name, in the simulator
+_FASTEST = 100.0  # m/s and rad/s: MORSE has no limits, the simulator's highest
+_POINT = 0.01  # m: half of a side of what stands for a body that nothing touches
+_AROUND = 5.0  # m of floor around a robot that stands beside it
+_STRATEGIES = {TimeStrategies.BestEffort: "best_effort",
+               TimeStrategies.FixedSimulationStep: "fixed_simulation_step"}
+
+
+class SceneError(Exception):
+    """A scene that cannot be."""
+
+
+def build():
+    """{"scene": the scenario, "notes": what it has not, "description": all the script said}."""
+    environment = Environment.current
+    if environment is None:
+        raise SceneError("the script makes no Environment; add env = Environment('empty')")
+    if not environment.created:
+        environment.create()
+    robots = [item for item in AbstractComponent.components
+              if isinstance(item, Robot) and item.parent is None]
+    names = {}
+    scene = {"robots": [_robot(robot, names) for robot in robots]}
+    scene.update(_world(environment, scene["robots"]))
+    props = [_prop(item) for item in AbstractComponent.components
+             if isinstance(item, PassiveObject) and not item.is_canvas]
+    if props:
+        scene["props"] = props
+    scene.update(_canvas())
+    for item in AbstractComponent.components:
+        if isinstance(item, Zone):
+            places.note("zones are not simulated: nothing is charged", item.place)
+        elif isinstance(item, Mesh):
+            places.note("a %s is not shown: shapes are no obstacles in MORSE either" %
+                        type(item).__name__, item.place, matters=False)
+        elif (item.parent is None and not isinstance(item, (Robot, PassiveObject, Environment)) and
+              item.property_value("Component_Tag")):
+            places.note("%s is appended to no robot" % item.name, item.place)
+    scene["camera"] = {"position": environment._camera_location,
+                       "rotation": environment._camera_rotation}
+    scene["time"] = {"frequency": environment.base_frequency(),
+                     "strategy": _STRATEGIES[environment._strategy],
+                     "factor": environment._time_scale}
+    return {"scene": scene, "notes": [note.to_json() for note in places.notes],
+            "description": _description(environment)}
+
+
+# Robots
+
+def _identifier(name, used):
+    """A name that the simulator takes: letters, digits and '_', no two alike."""
+    word = re.sub(r"[^A-Za-z0-9_]", "_", name)[:_MOST_NAME - 4] or "robot"
+    found, number = word, 1
+    while found in used:
+        found = "%s_%03d" % (word, number)
+        number += 1
+    used[found] = name
+    return found
+
+
+def _robot(robot, names):
+    x, y, z = robot.location
+    roll, pitch, yaw = robot.rotation_euler
+    if not all(math.isfinite(value) for value in (x, y, z, yaw)):
+        raise SceneError("%s, made in line %d, has no place: (%s, %s, %s)" %
+                         (robot.name, robot.place[1], x, y, z))
+    if abs(roll) > 1e-6 or abs(pitch) > 1e-6:
+        places.note("%s stands upright: its roll and pitch are not simulated" % robot.name,
+                    robot.place)
+    yaw -= 2.0 * math.pi * round(yaw / (2.0 * math.pi))  # as sensors have it
+    name = _identifier(robot.full_name or robot.name, names)
+    entry = robot.body_entry()
+    if entry is None:
+        places.note("the model %s is not read yet: a box of 0.5 m stands in for it" %
+                    (robot.model_path or robot.stem or "of " + robot.name), robot.place)
+        entry = {"mass": 10.0, "size": [0.5, 0.5], "z": [0.0, 0.5], "rest": 0.0}
+    result = {"name": name, "pose": {"x": x, "y": y, "yaw": yaw}}
+    if robot.paint is not None:
+        result["color"] = "#%02x%02x%02x" % tuple(
+            min(255, max(0, round(255 * part))) for part in robot.paint)
+    if entry.get("type"):
+        result["type"] = entry["type"]
+    else:
+        result["type"] = "Custom"
+        result["body"] = _body(robot, entry, z)
+    components, used = [], set()
+    _components(robot, name, _IDENTITY, "", components, used)
+    result["components"] = components
+    for modifier in robot.modifiers:
+        places.note("a robot has no data to alter", modifier["place"])
+    return result
+
+
+def _body(robot, entry, z):
+    long, wide = entry["size"]
+    scale = list(robot.scale)
+    long, wide = long * scale[0], wide * scale[1]
+    if entry.get("round"):
+        corners = [[0.5 * long * math.cos(k * math.pi / 8.0), 0.5 * wide * math.sin(k * math.pi / 8.0)]
+                   for k in range(16)]
+    else:
+        corners = [[0.5 * long, -0.5 * wide], [0.5 * long, 0.5 * wide], [-0.5 * long, 0.5 * wide],
+                   [-0.5 * long, -0.5 * wide]]
+    footprint = corners
+    if robot._bpy_object.game.physics_type == "NO_COLLISION":
+        # Nothing touches it, as nearly as may be.
+        footprint = [[_POINT, -_POINT], [_POINT, _POINT], [-_POINT, _POINT], [-_POINT, -_POINT]]
+    # What stands on the ground comes to rest on it; what flies stays where it was put.
+    height = entry["rest"] if entry["rest"] is not None else max(0.0, z)
+    hull = []
+    if entry["z"] is not None and robot.ghost is None:
+        bottom = max(0.0, height + entry["z"][0] * scale[2])
+        top = height + entry["z"][1] * scale[2]
+        if top > bottom:
+            hull = [{"outline": corners, "bottom": bottom, "top": top}]
+    if entry["rest"] is None and z < 0.0:
+        places.note("%s is beneath the ground: it is put on it" % robot.name, robot.place)
+    return {"footprint": footprint, "hull": hull, "origin_height": height,
+            "mass": robot.mass if robot.mass else entry["mass"], "drive": "diff",
+            "max_speed": _FASTEST, "max_turn_rate": _FASTEST}
+
+
+# Components
+
+_IDENTITY = ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0, 0.0, 0.0])
+
+
+def _moved(frame, component):
+    """The frame of a component within the one that it is mounted in: (rotation, place)."""
+    turn, place = frame
+    at = [sum(turn[i][k] * component.location[k] for k in range(3)) + place[i] for i in range(3)]
+    return bpymorse.multiply(turn, bpymorse.rotation_matrix(component.rotation_euler)), at
+
+
+def _components(parent, robot, frame, prefix, result, used):
+    for component in parent.children:
+        if component._bpy_object is None:
+            continue
+        own = _moved(frame, component)
+        name = _last_name(component)
+        full = prefix + name
+        number = 1
+        while full in used:
+            full = "%s%s_%03d" % (prefix, name, number)
+            number += 1
+        used.add(full)
+        if isinstance(component, Robot):
+            places.note("a robot on a robot is not simulated: %s is left out" % component.name,
+                        component.place)
+            continue
+        made = _component(component, robot, full, own)
+        if made is not None:
+            result.append(made)
+        _components(component, robot, own, full + ".", result, used)
+
+
+def _last_name(component):
+    name = component.full_name or component.name
+    if component.full_name is not None:
+        name = name.rsplit(".", 1)[-1]
+    return re.sub(r"[^A-Za-z0-9_]", "_", name)
+
+
+def simulated_type(component):
+    """The simulator's type of a component; None where it has none."""
+    classpath = component.property_value("classpath") or ""
+    entry = data.component_of_class(classpath)
+    if entry is None:
+        return data.SYROTEK_COMPONENTS.get(classpath.rsplit(".", 1)[-1].lower())
+    own = data.component_of_type(type(component))
+    return (own if own and own["classpath"] == classpath else entry)["simulated"]
+
+
+def _component(component, robot, name, frame):
+    full = "%s.%s" % (robot, name)
+    kind = simulated_type(component)
+    label = type(component).__name__
+    if kind is None:
+        if isinstance(component, Mesh):
+            return None
+        classpath = component.property_value("classpath")
+        known = classpath and data.component_of_class(classpath)
+        places.note("%s: the component %s is not simulated yet%s" %
+                    (full, label, "" if known else ", as is no component of one's own"),
+                    component.place)
+        return None
+    level = component.chosen_level
+    entry = component.table_entry()
+    if level is not None and entry is not None and level != entry["default_level"]:
+        places.note("%s: the level %s of %s is not simulated yet" % (full, level, label),
+                    component.place)
+        return None
+    turn, place = frame
+    result = {
+        "name": name, "type": kind, "frequency": component.rate or 60.0, "position": place,
+        "rotation": [angle + 0.0 for angle in bpymorse.euler_angles(turn)],
+        "stream": any(stream["middleware"] == "socket" for stream in component.streams),
+        "services": "socket" in component.services}
+    if kind == "LaserScanner":
+        result["laser"] = _laser(component)
+    for modifier in component.modifiers:
+        if kind == "Pose" and modifier["classpath"].endswith(".PoseNoiseModifier"):
+            noise = _pose_noise(modifier["settings"])
+            if noise is not None:
+                result["noise"] = noise
+                continue
+        places.note("%s: the modifier %s is not simulated yet" %
+                    (full, modifier["name"] or modifier["classpath"]), modifier["place"])
+    return result
+
+
+def _laser(component):
+    values = component.arc or component.settings()
+    laser = {"range": float(values["laser_range"]),
+             "scan_window_deg": float(values["scan_window"]),
+             "resolution_deg": float(values["resolution"]),
+             "visible_arc": bool(values["Visible_arc"]), "layers": int(values["layers"]),
+             "layer_separation": float(values["layer_separation"]),
+             "layer_offset": float(values["layer_offset"])}
+    if laser["scan_window_deg"] == 270.0 and laser["resolution_deg"] == 0.39589:
+        laser["samples"] = 682  # as SyRoTek's robots have it, where counting gives 683
+    return laser
+
+
+def _pose_noise(settings):
+    positions, angles = settings.get("pos_std", 0.05), settings.get("rot_std", math.radians(5.0))
+    if isinstance(positions, dict) or isinstance(angles, dict):
+        return None
+    return {"pos_std": float(positions), "rot_std": float(angles)}
+
+
+# The world
+
+def _world(environment, robots):
+    stand_in = _stand_in(environment.filename)
+    result = {"environment": environment.environment_file or environment.filename}
+    if stand_in == "syrotek":
+        result["world"] = "syrotek"
+        return result
+    if not stand_in:
+        text = "the model %s is not read yet" % environment.environment_file
+        if environment.environment_file is None:
+            text = ("the environment %s is not installed (Debian's morse-simulator-data has it)" %
+                    environment.filename)
+        places.note(text + ": an empty ground stands in for it", environment.place)
+        stand_in = "morse_empty"
+    elif stand_in == "morse_sandbox":
+        places.note("the sandbox is a stand-in of our own", environment.place, matters=False)
+    with open(os.path.join(data.worlds_folder(), stand_in, "models", "arena.json"),
+              encoding="utf-8") as file:
+        world = json.load(file)
+    _clear(world, robots, environment)
+    _widen(world, robots)
+    result["world"] = world
+    return result
+
+
+def _reach(robot):
+    corners = robot.get("body", {}).get("footprint", [[0.2, 0.2]])
+    return max(math.hypot(*corner) for corner in corners)
+
+
+def _clear(world, robots, environment):
+    """Takes away the stand-in's boxes that robots have been put on: MORSE's own may be elsewhere."""
+    def is_free(box):
+        half = 0.5 * math.hypot(*box["size"])
+        return all(math.hypot(robot["pose"]["x"] - box["x"], robot["pose"]["y"] - box["y"]) >
+                   half + _reach(robot) for robot in robots)
+
+    if world["name"] != "morse_sandbox":
+        return
+    free = [box for box in world["boxes"] if is_free(box)]
+    if len(free) < len(world["boxes"]):
+        places.note("%d boxes of the sandbox are left out: robots stand there" %
+                    (len(world["boxes"]) - len(free)), environment.place)
+    world["boxes"] = free
+
+
+def _widen(world, robots):
+    """Lays floor beneath robots that stand beside it."""
+    low, size = world["low"], world["size"]
+    high = [low[0] + size[0], low[1] + size[1]]
+    for robot in robots:
+        around = _reach(robot)
+        for axis, place in enumerate((robot["pose"]["x"], robot["pose"]["y"])):
+            if place - around < low[axis]:
+                low[axis] = place - around - _AROUND
+            if place + around > high[axis]:
+                high[axis] = place + around + _AROUND
+    world["size"] = [high[0] - low[0], high[1] - low[1]]
+
+
+def _prop(item):
+    places.note("the object %s is not simulated: models are not read yet" %
+                (item.prefix or item.name), item.place)
+    return {"name": item.name, "file": item.path or item._model, "object": item.prefix or "",
+            "position": list(item.location), "rotation": list(item.rotation_euler)}
+
+
+def _canvas():
+    """The canvas is always there; a script's own says how transparent it is (thesis 4.2.1)."""
+    if not any(isinstance(item, PassiveObject) and item.is_canvas
+               for item in AbstractComponent.components):
+        return {}
+    material = bpymorse.get_material("CanvasMat")
+    alpha = material.alpha if material.use_transparency else 1.0
+    return {"canvas": {"alpha": min(1.0, max(0.0, float(alpha)))}}
+
+
+# All of it
+
+def _plain(value):
+    """What JSON can say of a value."""
+    if isinstance(value, (bool, int, str)) or value is None:
+        return value
+    if isinstance(value, float):
+        return value if math.isfinite(value) else str(value)
+    if isinstance(value, dict):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple, set, bpymorse.Vector)):
+        return [_plain(item) for item in value]
+    return str(value)
+
+
+def _described(item):
+    game = item._bpy_object.game
+    result = {
+        "name": item.full_name or item.name, "class": type(item).__name__,
+        "file": item.place[0], "line": item.place[1], "location": list(item.location),
+        "rotation": list(item.rotation_euler), "scale": list(item.scale),
+        "properties": bpymorse.get_properties(item._bpy_object), "frequency": item.rate,
+        "level": item.chosen_level, "streams": item.streams, "services": item.services,
+        "modifiers": item.modifiers, "overlays": item.overlays, "color": item.paint,
+        "physics": {"type": game.physics_type, "mass": game.mass}}
+    if isinstance(item, Robot):
+        result["friction"] = item.friction
+        result["default_interfaces"] = item.default_interfaces
+        result["ghost"] = item.ghost
+        result["external"] = item.external
+    if isinstance(item, PassiveObject):
+        result["model"], result["prefix"] = item.path or item._model, item.prefix
+        result["keep_pose"], result["graspable"] = item.keep_pose, item.graspable
+    if item.children:
+        result["children"] = [_described(child) for child in item.children
+                              if child._bpy_object is not None]
+    return result
+
+
+def _description(environment):
+    """Everything that the script has said, for tools and for what is not simulated yet."""
+    objects = [_described(item) for item in AbstractComponent.components
+               if item.parent is None and not isinstance(item, Environment)]
+    return _plain({"environment": environment.description(), "objects": objects})

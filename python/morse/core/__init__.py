@@ -1,0 +1,1 @@
+"""What builder scripts and tests import from MORSE's core."""

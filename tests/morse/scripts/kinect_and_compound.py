@@ -1,0 +1,16 @@
+from morse.builder import *
+
+robot = ATRV()
+kinect = Kinect()
+kinect.translate(z=1.0)
+kinect.frequency(15)
+robot.append(kinect)
+kinect.add_stream('socket')
+pose = Pose()
+robot.append(pose)
+clock = Clock()
+robot.append(clock)
+all_of_it = CompoundSensor([pose, clock])
+robot.append(all_of_it)
+all_of_it.add_stream('socket')
+env = Environment('empty')

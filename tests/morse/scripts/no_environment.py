@@ -1,0 +1,3 @@
+from morse.builder import *
+
+robot = ATRV()

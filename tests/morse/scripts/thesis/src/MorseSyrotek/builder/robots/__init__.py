@@ -1,0 +1,1 @@
+from .syrotek import Syrotek
