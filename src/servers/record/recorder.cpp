@@ -231,12 +231,13 @@ std::uint16_t Recorder::AddTopic(std::string_view topic, std::string_view schema
 }
 
 void Recorder::WriteStart() {
-  const Json start(
+  Json start(
       Json::Object{{"format", kRecordFormat},
                    {"ccmorse", CCMORSE_VERSION},
                    {"name", simulation_.scenario().name},
                    {"hash_every", static_cast<std::int64_t>(options_.hash_every.value_or(1))},
                    {"scenario", scene::ToJson(simulation_.scenario())}});
+  if (options_.contest) start.Set("contest", true);
   writer_->Write(AddTopic(kStartTopic, kStartSchema), 0, start.Dump());
 }
 
