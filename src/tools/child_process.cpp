@@ -167,8 +167,8 @@ ChildProcess::ChildProcess(const Options& options) {
   pid_ = ::fork();
   if (pid_ < 0) throw Error(fmt::format("cannot start a process: {}", std::strerror(errno)));
   if (pid_ == 0) {
-    Become(parent, argv.data(), environment.data(), options.folder.c_str(),
-           options.handed, out.ends[1], err.ends[1], report.ends[1]);
+    Become(parent, argv.data(), environment.data(), options.folder.c_str(), options.handed,
+           out.ends[1], err.ends[1], report.ends[1]);
   }
   ::setpgid(pid_, pid_);  // here, too: whoever is first, it has its group before we signal it
   watchdog.Watch(pid_);

@@ -36,11 +36,25 @@ std::string FindBubblewrap() {
 
 // What every sandbox has: the system's programs and libraries, nothing of its people.
 std::vector<std::string> Base() {
-  std::vector<std::string> words = {
-      FindBubblewrap(), "--unshare-all", "--unshare-user", "--disable-userns", "--die-with-parent",
-      "--new-session",  "--as-pid-1",    "--cap-drop",     "ALL",              "--uid",
-      "65534",          "--gid",         "65534",          "--hostname",       "sandbox",
-      "--clearenv",     "--ro-bind",     "/usr",           "/usr"};
+  std::vector<std::string> words = {FindBubblewrap(),
+                                    "--unshare-all",
+                                    "--unshare-user",
+                                    "--disable-userns",
+                                    "--die-with-parent",
+                                    "--new-session",
+                                    "--as-pid-1",
+                                    "--cap-drop",
+                                    "ALL",
+                                    "--uid",
+                                    "65534",
+                                    "--gid",
+                                    "65534",
+                                    "--hostname",
+                                    "sandbox",
+                                    "--clearenv",
+                                    "--ro-bind",
+                                    "/usr",
+                                    "/usr"};
   std::error_code ignored;
   for (const char* folder : {"/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32"}) {
     if (fs::is_symlink(folder, ignored)) {

@@ -16,12 +16,12 @@ namespace ccmorse::tools {
 /// What a sandboxed program sees beside the system's own programs and libraries: nothing else of
 /// the machine is there (docs/grading.md).
 struct SandboxOptions {
-  std::vector<std::string> command;                             ///< paths within the sandbox
-  std::string folder;                                           ///< where it starts, within
-  std::vector<std::pair<std::string, std::string>> read_only;   ///< (ours, within)
-  std::vector<std::pair<std::string, std::string>> writable;    ///< (ours, within)
-  std::vector<std::pair<std::string, std::string>> variables;   ///< of the environment
-  int port = 0;                                                 ///< of a socket for it; 0: none
+  std::vector<std::string> command;                            ///< paths within the sandbox
+  std::string folder;                                          ///< where it starts, within
+  std::vector<std::pair<std::string, std::string>> read_only;  ///< (ours, within)
+  std::vector<std::pair<std::string, std::string>> writable;   ///< (ours, within)
+  std::vector<std::pair<std::string, std::string>> variables;  ///< of the environment
+  int port = 0;                                                ///< of a socket for it; 0: none
   SandboxLimits limits;
 };
 

@@ -98,8 +98,8 @@ void AddProcess(const std::string& folder, Use& use) {
   const std::string memory = ReadProc(folder + "/statm");
   const char* resident = std::strchr(memory.c_str(), ' ');
   if (resident != nullptr) {
-    use.memory_mb += std::strtod(resident, nullptr) * static_cast<double>(::sysconf(_SC_PAGESIZE)) /
-                     kMega;
+    use.memory_mb +=
+        std::strtod(resident, nullptr) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMega;
   }
   // Fields 14 to 17, after the name, which may hold blanks and brackets.
   const std::string line = ReadProc(folder + "/stat");

@@ -202,8 +202,9 @@ bool ServiceDirectory::IsRefused(std::string_view component, std::string_view se
   if (!contest_) return false;
   if (component == "arena" || service == "mirror") return true;
   static constexpr std::array<std::string_view, 8> kRefused = {
-      "reset_objects",    "activate",            "deactivate",  "suspend_dynamics",
-      "restore_dynamics", "set_object_position", "mirror_pose", "get_scene_objects"};
+      "reset_objects",    "activate",         "deactivate",
+      "suspend_dynamics", "restore_dynamics", "set_object_position",
+      "mirror_pose",      "get_scene_objects"};
   return component == "simulation" &&
          std::find(kRefused.begin(), kRefused.end(), service) != kRefused.end();
 }
