@@ -40,6 +40,8 @@ code,pre{font:13px/1.5 ui-monospace,monospace}pre{white-space:pre-wrap;overflow-
 background:var(--back);border:1px solid var(--line);border-radius:8px;padding:12px;margin:8px 0}
 .key{display:flex;gap:16px;flex-wrap:wrap;font-size:13px;color:var(--soft);margin-top:8px}
 .key i{display:inline-block;width:14px;height:10px;border-radius:3px;margin-right:5px}
+.criteria th:nth-child(1){width:170px}.criteria th:nth-child(2){width:90px}
+.criteria th:nth-child(3){width:110px}.criteria th:nth-child(4){width:130px}
 svg text{fill:var(--soft);font:11px system-ui,sans-serif}
 </style>)";
 
@@ -50,7 +52,16 @@ std::string Number(double value) {
   if (!std::isfinite(value)) return "&#8734;";
   const double size = std::fabs(value);
   if (std::fabs(value - std::round(value)) < 5e-4) return fmt::format("{:.0f}", value);
-  return fmt::format("{:.{}f}", value, size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 ? 2 : 3);
+  std::string text = fmt::format("{:.{}f}", value,
+                                 size >= 100.0  ? 0
+                                 : size >= 10.0 ? 1
+                                 : size >= 1.0  ? 2
+                                                : 3);
+  if (text.find('.') != std::string::npos) {
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+  }
+  return text;
 }
 
 std::string Head(const std::string& title) {
@@ -69,8 +80,9 @@ std::string Bar(double share) {
 template <class Row>
 std::string CriteriaTable(const std::vector<Row>& rows) {
   std::string out =
-      "<div class=\"scroll\"><table><tr><th>criterion</th><th class=\"n\">measured</th><th "
-      "class=\"n\">points</th><th></th><th>what to know</th></tr>\n";
+      "<div class=\"scroll\"><table class=\"criteria\"><tr><th>criterion</th><th "
+      "class=\"n\">measured"
+      "</th><th class=\"n\">points</th><th></th><th>what to know</th></tr>\n";
   for (const Row& row : rows) {
     const double share = row.points / row.weight;
     out += fmt::format(
@@ -165,14 +177,17 @@ std::string FromAbove(const Rubric& rubric, const Judgement& judgement) {
   if (judgement.route || !rubric.reference.goals.empty() || !rubric.reference.trajectory.empty()) {
     out += "<span><i style=\"background:var(--goal)\"></i>goal</span>";
   }
-  return out + "<span><i style=\"background:var(--bad)\"></i>contact</span></div>\n";
+  const bool touched = std::any_of(judgement.robots.begin(), judgement.robots.end(),
+                                   [](const RobotTrack& robot) { return robot.contacts > 0; });
+  if (touched) out += "<span><i style=\"background:var(--bad)\"></i>contact</span>";
+  return out + "</div>\n";
 }
 
 // --- A plot over time.
 
 constexpr double kPlotWidth = 560.0;
 constexpr double kPlotHeight = 120.0;
-constexpr double kPlotLeft = 34.0;
+constexpr double kPlotLeft = 40.0;
 constexpr double kPlotBottom = 20.0;
 constexpr int kMostPoints = 500;
 

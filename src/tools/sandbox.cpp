@@ -143,22 +143,11 @@ bool Sandbox::Step() {
   bool news = false;
   for (;;) {
     SandboxMessage message;
-    iovec part{&message, sizeof message};
-    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
-    msghdr header{};
-    header.msg_iov = &part;
-    header.msg_iovlen = 1;
-    header.msg_control = control.data();
-    header.msg_controllen = control.size();
-    const ssize_t size = ::recvmsg(channel_, &header, MSG_DONTWAIT | MSG_CMSG_CLOEXEC);
-    if (size < 0 && errno == EINTR) continue;
-    if (size != sizeof message) return news;
+    int file = -1;
+    if (!ReceiveMessage(channel_, MSG_DONTWAIT, message, file)) return news;
     news = true;
     if (message.kind == SandboxMessage::kListening) {
-      const cmsghdr* const entry = CMSG_FIRSTHDR(&header);
-      if (entry != nullptr && entry->cmsg_type == SCM_RIGHTS && listener_ < 0) {
-        std::memcpy(&listener_, CMSG_DATA(entry), sizeof listener_);
-      }
+      listener_ = file;
     } else {
       end_ = message;
     }

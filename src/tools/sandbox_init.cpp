@@ -4,11 +4,17 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
 #include <netinet/in.h>
+#include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,19 +22,22 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <memory>
+#include <vector>
 
 namespace ccmorse::tools {
 namespace {
 
 constexpr int kFirstWord = 8;  // of the command, in argv
 constexpr double kMega = 1e6;
-constexpr long kLook = 10'000'000;  // ns from one look at the processes to the next
+constexpr int kLook = 10;  // ms from one look at the processes to the next
 
 // Sends a message, with a file if there is one.
 bool Tell(int channel, const SandboxMessage& message, int file = -1) {
@@ -48,6 +57,30 @@ bool Tell(int channel, const SandboxMessage& message, int file = -1) {
   }
   return ::sendmsg(channel, &header, MSG_NOSIGNAL) >= 0;
 }
+
+}  // namespace
+
+bool ReceiveMessage(int channel, int flags, SandboxMessage& message, int& file) {
+  iovec part{&message, sizeof message};
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
+  msghdr header{};
+  header.msg_iov = &part;
+  header.msg_iovlen = 1;
+  header.msg_control = control.data();
+  header.msg_controllen = control.size();
+  ssize_t size = 0;
+  do {
+    size = ::recvmsg(channel, &header, flags | MSG_CMSG_CLOEXEC);
+  } while (size < 0 && errno == EINTR);
+  if (size != sizeof message) return false;
+  const cmsghdr* const entry = CMSG_FIRSTHDR(&header);
+  if (entry != nullptr && entry->cmsg_type == SCM_RIGHTS) {
+    std::memcpy(&file, CMSG_DATA(entry), sizeof file);
+  }
+  return true;
+}
+
+namespace {
 
 int Listen(int port) {
   const int file = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
@@ -128,7 +161,62 @@ Use LookAtAll() {
   return use;
 }
 
-[[noreturn]] void BecomeProgram(char** command, const SandboxLimits& limits, int report) {
+#if defined(__x86_64__)
+constexpr std::uint32_t kArchitecture = AUDIT_ARCH_X86_64;
+#elif defined(__aarch64__)
+constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
+#else
+constexpr std::uint32_t kArchitecture = 0;
+#endif
+
+// Has each start of a process or thread wait until process 1 has counted (seccomp_unotify(2)), so
+// that a fork bomb is no faster than it. Calls of another architecture's, which have other numbers,
+// fail. Returns the file to be asked by, -1 where the kernel has no such thing.
+int GateForks() {
+  if (kArchitecture == 0) return -1;
+  std::vector<sock_filter> filter = {
+    BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
+    BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kArchitecture, 1, 0),
+    BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS),
+    BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+#if defined(__x86_64__)
+    BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000U, 0, 1),  // the x32 calls
+    BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | ENOSYS),
+#endif
+  };
+  constexpr std::array kForks = {
+#if defined(__NR_fork)
+    __NR_fork,
+    __NR_vfork,
+#endif
+    __NR_clone,
+    __NR_clone3
+  };
+  for (const int fork : kForks) {
+    filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(fork), 0, 1));
+    filter.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_USER_NOTIF));
+  }
+  filter.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
+  const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
+  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return -1;
+  return static_cast<int>(
+      ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_NEW_LISTENER, &program));
+}
+
+// Lets a start of a process go on where there is room for one more. False where there is none.
+bool AnswerFork(int gate, const SandboxLimits& limits) {
+  seccomp_notif asked{};
+  if (::ioctl(gate, SECCOMP_IOCTL_NOTIF_RECV, &asked) != 0) return true;  // whoever asked has ended
+  if (LookAtAll().tasks >= limits.processes) return false;
+  seccomp_notif_resp answer{};
+  answer.id = asked.id;
+  answer.flags = SECCOMP_USER_NOTIF_FLAG_CONTINUE;
+  ::ioctl(gate, SECCOMP_IOCTL_NOTIF_SEND, &answer);
+  return true;
+}
+
+[[noreturn]] void BecomeProgram(char** command, const SandboxLimits& limits, int report,
+                                int gate_channel) {
   ::signal(SIGPIPE, SIG_DFL);
   Limit(RLIMIT_CORE, 0);
   Limit(RLIMIT_NPROC, limits.processes);
@@ -137,6 +225,9 @@ Use LookAtAll() {
   Limit(RLIMIT_NOFILE, 256);
   // Threads reserve far more than they use; what is used is watched.
   Limit(RLIMIT_AS, limits.memory_mb * kMega * 4.0 + 8e9);
+  // Not before the limits, and nothing is started here any more.
+  const int gate = GateForks();
+  Tell(gate_channel, {SandboxMessage::kListening, 0, 0.0, 0.0}, gate);
   ::execv(command[0], command);
   const int reason = errno;
   [[maybe_unused]] const ssize_t told = ::write(report, &reason, sizeof reason);
@@ -144,9 +235,18 @@ Use LookAtAll() {
 }
 
 // Watches until the program has ended, or has to.
-SandboxMessage Watch(pid_t program, const SandboxLimits& limits) {
+SandboxMessage Watch(pid_t program, int gate, const SandboxLimits& limits) {
   SandboxMessage end;
+  auto next = std::chrono::steady_clock::now();
   for (;;) {
+    pollfd asked{gate, POLLIN, 0};
+    ::poll(&asked, 1, kLook);
+    if (gate >= 0 && (asked.revents & POLLIN) != 0 && !AnswerFork(gate, limits)) {
+      end.kind = SandboxMessage::kProcessLimit;
+      return end;
+    }
+    if (std::chrono::steady_clock::now() < next) continue;
+    next = std::chrono::steady_clock::now() + std::chrono::milliseconds(kLook);
     int raw = 0;
     for (pid_t pid = 0; (pid = ::waitpid(-1, &raw, WNOHANG)) > 0;) {
       if (pid != program) continue;
@@ -161,8 +261,6 @@ SandboxMessage Watch(pid_t program, const SandboxLimits& limits) {
     if (use.memory_mb > limits.memory_mb) end.kind = SandboxMessage::kMemoryLimit;
     if (use.cpu_s > limits.cpu_s || out_of_time) end.kind = SandboxMessage::kCpuLimit;
     if (end.kind != 0) return end;
-    const timespec pause{0, kLook};
-    ::nanosleep(&pause, nullptr);
   }
 }
 
@@ -212,16 +310,22 @@ int SandboxInit(int argc, char** argv) {
 
   std::array<int, 2> report{};  // ends with a successful exec(), else brings its errno
   if (::pipe2(report.data(), O_CLOEXEC) != 0) return 1;
+  std::array<int, 2> gate_ends{};
+  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, gate_ends.data()) != 0) return 1;
   const pid_t program = ::fork();
   if (program < 0) return 1;
-  if (program == 0) BecomeProgram(argv + kFirstWord, limits, report[1]);
+  if (program == 0) BecomeProgram(argv + kFirstWord, limits, report[1], gate_ends[1]);
   ::close(report[1]);
+  ::close(gate_ends[1]);
+  int gate = -1;
+  SandboxMessage ready;
+  ReceiveMessage(gate_ends[0], 0, ready, gate);
   int reason = 0;
   if (::read(report[0], &reason, sizeof reason) == sizeof reason) {
     Tell(channel, {SandboxMessage::kNotStarted, reason, 0.0, 0.0});
     return 1;
   }
-  Tell(channel, Watch(program, limits));
+  Tell(channel, Watch(program, gate, limits));
   return 0;  // and with this process all others end
 }
 

@@ -23,6 +23,10 @@ struct SandboxMessage {
   double memory_mb = 0.0;  ///< MB, at most at a time
 };
 
+/// Takes a message from a socket of packets, with a file where one comes along; `flags` as
+/// recvmsg() has them. False where there is none.
+bool ReceiveMessage(int channel, int flags, SandboxMessage& message, int& file);
+
 /// Limits within a sandbox.
 struct SandboxLimits {
   double cpu_s = 60.0;       ///< s, all processes together

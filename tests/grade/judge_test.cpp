@@ -136,7 +136,7 @@ TEST(Judge, DistanceTimeAndEnd) {
 TEST(Judge, ContactsAndHowLongTheyLast) {
   Script script(Hall(kOne));
   script.Speed(0.5, 0.0);
-  script.Go(6.6);  // the wall comes after (3.9 - 0.5 - front) / 0.5 < 6.6 s
+  script.Go(7.0);  // the wall comes after (3.9 - 0.5 - front) / 0.5 < 6.8 s
   const double blocked_for = script.simulation().robots()[0]->tally().stalled;
   ASSERT_GT(blocked_for, 0.05);
   script.Speed(-0.5, 0.0);
@@ -162,14 +162,13 @@ TEST(Judge, WhoDoesNotDriveIsNotPraisedForTouchingNothing) {
 TEST(Judge, StuckIsWhoStaysWithinFiveCentimetresForFiveSeconds) {
   Script script(Hall(kOne));
   DriveAMetre(script);
-  script.Go(4.8);  // too short
+  script.Go(4.5);  // too short
   script.Speed(0.25, 0.0);
   script.Go(4.0);
   script.Speed(0.0, 0.0);
   script.Go(8.0);
-  // Up to 5 cm before the stop count, that is 0.2 s: windows begin on samples, 0.1 s apart. Of the
-  // first stop those with some way before and after it: 4.8 s alone, but with 0.05 / 0.25 = 0.2 s
-  // around it there is none of 5 s below 5 cm.
+  // Of the way before the stop 0.1 s belong to a window, 2.5 cm; 0.2 s would be 5 cm. The first
+  // stop would need 0.5 s of way around it.
   EXPECT_NEAR(*Measure(script, "stuck_s").value, 8.1, 0.11);
 }
 

@@ -37,7 +37,7 @@ TEST(Rubric, IsReadWhole) {
 
 TEST(Rubric, EveryMistakeIsNamedWithItsLine) {
   const std::vector<std::pair<std::pair<std::string, std::string>, std::string>> cases = {
-      {{"\"seconds\"", "\"secnds\""}, "did you mean"},
+      {{"\"seconds\"", "\"secnds\""}, "is 'secnds' meant"},
       {{"\"contacts\", \"weight\"", "\"contact\", \"weight\""}, "did you mean 'contacts'"},
       {{"\"weight\": 50, \"full\": 0,", "\"weight\": 40, \"full\": 0,"}, "must be 100"},
       {{"\"full\": 0, \"none\": 1", "\"full\": 1, \"none\": 1"}, "the same as 'none'"},

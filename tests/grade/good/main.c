@@ -36,7 +36,7 @@ static void ask(int file, const char* line) {
 int main(int argc, char** argv) {
   const int file = dial(argc > 1 ? atoi(argv[1]) : 4000);
   if (file < 0) return 8;
-  ask(file, "d1 s1r.motion set_speed [0.2, 0.0]\n");
+  ask(file, "d1 s1r.motion set_speed [0.3, 0.8]\n");
   for (int i = 0; i < 30; ++i) ask(file, "r ccmorse read\n");
   return 0;
 }

@@ -39,6 +39,13 @@ int main(int argc, char** argv) {
     if (port == own) continue;
     const int file = dial(port);
     if (file < 0) continue;
+    struct sockaddr_in own_end;
+    socklen_t size = sizeof own_end;
+    getsockname(file, (struct sockaddr*)&own_end, &size);
+    if (ntohs(own_end.sin_port) == port) {  // a connection may meet itself
+      close(file);
+      continue;
+    }
     printf("FOUND port %d\n", port);
     ask(file, "p1 s1r.pen set_pixel [1, 1, 255, 0, 0]\n");
     return 42;
