@@ -453,6 +453,7 @@ Judgement Judge(const Rubric& rubric, const std::string& record) {
   if (replay.simulation().robots().empty()) {
     throw servers::RecordError("the record " + record + " has no robot to be judged");
   }
+  const std::uint64_t blank = replay.simulation().canvas().revision();
   Watch watch(replay);
   watch.Before();
   watch.Look();
@@ -484,7 +485,9 @@ Judgement Judge(const Rubric& rubric, const std::string& record) {
         fmt::format("at {:.2f} s the program called {} {}, which is not for robots' programs",
                     static_cast<double>(refusals[0].tick) / replay.info().scenario.time.frequency,
                     refusals[0].component, refusals[0].service);
-  } else if (replay.info().ticks == 0 && seen.answers.empty()) {
+  } else if (replay.info().ticks == 0 && seen.answers.empty() &&
+             replay.simulation().canvas().revision() == blank) {
+    // One that only draws and asks once, as a planner may, was there.
     judgement.refused =
         "the program never asked for the robot's data, so no simulated time went by: does it "
         "connect to the given host and port, and call Read()?";

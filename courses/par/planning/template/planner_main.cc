@@ -65,8 +65,7 @@ void draw(imr::CCanvas& canvas, const imr::CMapGrid& map, const imr::CPlanner& p
 
 // Hands the path in, for `ccmorse grade`: the smoothed one, or the one found as long as there is no
 // other. Simulators that do not grade have nobody to hand it to.
-void submit(CCMorse::PlayerClient& client, const imr::CMapGrid& map,
-            const imr::CPlanner& planner) {
+void submit(CCMorse::PlayerClient& client, const imr::CMapGrid& map, const imr::CPlanner& planner) {
   const bool smoothed = planner.getSmoothPath().size() > 1;
   std::vector<player_point_2d_t> points;
   for (const imr::SCell& cell : smoothed ? planner.getSmoothPath() : planner.getPath()) {
