@@ -122,7 +122,8 @@ double LengthOf(const std::vector<Vec2>& line) {
   return length;
 }
 
-// s within windows of kStuckTime in which the robot came no farther than kStuckWay.
+// s within windows of kStuckTime in which the robot stayed closer than kStuckWay to where they
+// began.
 double StuckTime(const std::vector<Sample>& samples) {
   double stuck = 0.0;
   double counted_to = -kInfinity;
@@ -130,10 +131,12 @@ double StuckTime(const std::vector<Sample>& samples) {
     while (k + 1 < i && samples[i].time - samples[k + 1].time >= kStuckTime - 1e-9) ++k;
     const double begin = samples[k].time;
     if (samples[i].time - begin < kStuckTime - 1e-9) continue;
-    if (std::hypot(samples[i].pose.x - samples[k].pose.x, samples[i].pose.y - samples[k].pose.y) >=
-        kStuckWay) {
-      continue;
+    bool near = true;
+    for (std::size_t m = k + 1; m <= i && near; ++m) {
+      near = std::hypot(samples[m].pose.x - samples[k].pose.x,
+                        samples[m].pose.y - samples[k].pose.y) < kStuckWay;
     }
+    if (!near) continue;
     stuck += samples[i].time - std::max(begin, counted_to);
     counted_to = samples[i].time;
   }
