@@ -71,7 +71,10 @@ void BuildMaze(scene::World& world, Draws& draws) {
   const int rows = std::max(2, static_cast<int>(std::lround(world.size_y / kMazePitch)));
   const double room_x = world.size_x / columns;
   const double room_y = world.size_y / rows;
-  const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * columns + x); };
+  const auto at = [&](int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(x);
+  };
   std::vector<char> seen(static_cast<std::size_t>(columns * rows), 0);
   std::vector<char> east(seen.size(), 1);   // wall to the right of a room
   std::vector<char> north(seen.size(), 1);  // wall above it

@@ -18,8 +18,8 @@ namespace ccmorse::sim {
 class Answers : public Actuator {
  public:
   static constexpr std::size_t kMostAnswers = 16;
-  static constexpr std::size_t kLongestName = 64;            ///< bytes
-  static constexpr std::size_t kLongestValue = 1024 * 1024;  ///< bytes of an answer as JSON
+  static constexpr std::size_t kLongestName = 64;        ///< bytes
+  static constexpr std::size_t kLongestValue = 1048576;  ///< bytes of an answer as JSON
 
   struct Answer {
     std::string text;            ///< the value as JSON, as Json::Dump() writes it
