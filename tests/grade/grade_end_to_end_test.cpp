@@ -67,7 +67,7 @@ Graded Grade(const std::string& task, const std::string& submission,
 class GradeTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (std::string(CCMORSE_SANITIZE) != "") GTEST_SKIP() << "submissions are built as users do";
+    if (!std::string(CCMORSE_SANITIZE).empty()) GTEST_SKIP() << "submissions are built as users do";
     const Finished tried = RunToEnd({"/usr/bin/env", "bwrap", "--unshare-all", "--ro-bind", "/",
                                      "/", "--proc", "/proc", "/bin/true"});
     if (tried.status != 0) GTEST_SKIP() << "no sandbox can be made here: " << tried.output;
