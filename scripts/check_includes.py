@@ -25,7 +25,9 @@ MAY_INCLUDE = {
     "render": ["sim", "scene", "base"],
     "servers": ["sim", "scene", "navigation", "wire", "base"],
     "in_process": ["servers", "sim", "scene", "wire", "base"],
-    "tools": ["servers", "render", "sim", "scene", "assets", "wire", "base"],
+    # Grades what programs did, from the simulator's records; starts no process itself.
+    "grade": ["servers", "sim", "scene", "base"],
+    "tools": ["grade", "servers", "render", "sim", "scene", "assets", "wire", "base"],
     # Programs that `ccmorse bench` executes: they measure what it may not include, the client
     # library and Embree itself.
     "bench": ["sim", "base"],
@@ -37,7 +39,7 @@ CLIENT_LAYERS = [
     {"MorseError", "Types", "MorseValue", "MorseClient", "MorseRobot", "MorseDevice",
      "Paint"},
     {"MorseSensor", "MorseActuator", "MorsePose", "MorseOdometry", "MorseMotionVW", "MorseLaser",
-     "MorseWaypoint", "MorseProperties", "MorseTime", "MorsePen", "MorseArena"},
+     "MorseWaypoint", "MorseProperties", "MorseTime", "MorsePen", "MorseArena", "MorseAnswers"},
     {"MorseProxy", "Position2dProxy", "LaserProxy", "GridMap", "WindowProxy", "MorseDriver",
      "SndDriver",
      "PlayerClient"},

@@ -118,7 +118,8 @@ class Watchdog {
 
 // In the child, between fork() and exec(): only calls that a signal's handler may make, too.
 [[noreturn]] void Become(pid_t parent, char* const* argv, char* const* environment,
-                         const char* folder, int out, int err, int report) {
+                         const char* folder, const std::vector<int>& handed, int out, int err,
+                         int report) {
   const auto give_up = [report] {
     const int reason = errno;
     [[maybe_unused]] const ssize_t told = ::write(report, &reason, sizeof reason);
@@ -134,6 +135,9 @@ class Watchdog {
   ::signal(SIGPIPE, SIG_DFL);
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (nothing < 0 || ::dup2(nothing, 0) < 0 || ::dup2(out, 1) < 0 || ::dup2(err, 2) < 0) give_up();
+  for (const int file : handed) {
+    if (::fcntl(file, F_SETFD, 0) != 0) give_up();
+  }
   if (*folder != '\0' && ::chdir(folder) != 0) give_up();
   ::execve(argv[0], argv, environment);
   give_up();
@@ -163,8 +167,8 @@ ChildProcess::ChildProcess(const Options& options) {
   pid_ = ::fork();
   if (pid_ < 0) throw Error(fmt::format("cannot start a process: {}", std::strerror(errno)));
   if (pid_ == 0) {
-    Become(parent, argv.data(), environment.data(), options.folder.c_str(), out.ends[1],
-           err.ends[1], report.ends[1]);
+    Become(parent, argv.data(), environment.data(), options.folder.c_str(), options.handed,
+           out.ends[1], err.ends[1], report.ends[1]);
   }
   ::setpgid(pid_, pid_);  // here, too: whoever is first, it has its group before we signal it
   watchdog.Watch(pid_);

@@ -28,6 +28,7 @@ class ChildProcess {
     std::vector<std::string> command;      ///< path of the program, then its arguments
     std::string folder;                    ///< where it starts; "": here
     std::vector<std::string> environment;  ///< "NAME=VALUE", beside ours
+    std::vector<int> handed = {};          ///< file descriptors that it has, too, by their numbers
   };
 
   /// Throws Error that names the program and the reason.

@@ -9,6 +9,7 @@
 #include <exception>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -18,6 +19,7 @@
 #include "tools/bench_program.h"
 #include "tools/command_line.h"
 #include "tools/fleet_bench.h"
+#include "tools/grade_command.h"
 #include "tools/info_command.h"
 #include "tools/list_command.h"
 #include "tools/morse_options.h"
@@ -25,6 +27,7 @@
 #include "tools/render_command.h"
 #include "tools/replay_command.h"
 #include "tools/run_command.h"
+#include "tools/sandbox_init.h"
 #include "tools/scene_choice.h"
 
 namespace {
@@ -130,6 +133,54 @@ void AddBatchOptions(CLI::App& command, ccmorse::tools::BatchArguments& batch) {
       "  ccmorse batch sweep.json --slurm --tasks 40 --sbatch=--partition=long\n"
       "  ccmorse batch sweep.json --collect\n"
       "Exit status: 0 when every job has a result, good or bad; 1 after an error.");
+}
+
+void AddGradeOptions(CLI::App& command, ccmorse::tools::GradeArguments& grade) {
+  command.add_option("task", grade.task, "a task's name, as intro, or its folder")
+      ->required()
+      ->type_name("TASK");
+  CLI::Option* const submission =
+      command
+          .add_option("submission", grade.submission,
+                      "a folder with a Makefile, or a program that was built already")
+          ->type_name("DIR|PROGRAM");
+  command.add_option("--seeds", grade.seeds, "worlds to run it in  [5]")
+      ->check(CLI::Range(1, 10000))
+      ->type_name("K");
+  command.add_option("--first-seed", grade.first_seed, "of the first world  [1]")
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 62))
+      ->type_name("N");
+  command.add_option("--report", grade.report, "write the result as a page")
+      ->type_name("FILE.html");
+  command.add_option("--json", grade.json, "write it as data; -: to the standard output")
+      ->type_name("FILE.json");
+  command.add_option("--keep-records", grade.keep_records, "keep the runs' records here")
+      ->type_name("DIR");
+  CLI::Option* const record =
+      command.add_option("--record", grade.record, "judge this record, and run nothing")
+          ->type_name("FILE.mcap");
+  CLI::Option* const whole_class =
+      command
+          .add_option("--class", grade.class_folder,
+                      "grade each submission in this folder; started again, it goes on")
+          ->excludes(submission)
+          ->excludes(record)
+          ->type_name("DIR");
+  command.add_option("--out", grade.out, "of a class: folder for its results  [DIR-grades]")
+      ->needs(whole_class)
+      ->type_name("DIR");
+  command.add_option("-j,--jobs", grade.at_once, "so many at a time  [the number of cores]")
+      ->check(CLI::Range(1, 256))
+      ->type_name("N");
+  command.add_flag("--no-sandbox", grade.no_sandbox,
+                   "run it unprotected, where no sandbox can be made; the report says so");
+  command.add_flag("-q,--quiet", grade.quiet, "no progress");
+  command.footer(
+      "Examples:\n"
+      "  ccmorse grade planning my_planner --report report.html\n"
+      "  ccmorse grade intro my_intro --seeds 20 --keep-records records\n"
+      "  ccmorse grade exploration --class submissions\n"
+      "Exit status: 0 passed, 3 below the pass mark, 1 after an error.");
 }
 
 int Run(int argc, char** argv) {
@@ -248,6 +299,14 @@ int Run(int argc, char** argv) {
                    "every tick")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
       ->type_name("N");
+  run_command->add_flag("--contest", run.contest,
+                        "programs are judged: refuse them what is no robot's to do, as teleporting "
+                        "or asking where the obstacles are (docs/grading.md)");
+  run_command
+      ->add_option("--listen-socket", run.listen_socket,
+                   "serve on this file descriptor, a socket that listens, instead of --port")
+      ->check(CLI::Range(0, 1 << 20))
+      ->type_name("FD");
   run_command->add_flag("-q,--quiet", run.quiet, "print errors only");
   run_command->footer(
       "Examples:\n"
@@ -415,6 +474,11 @@ int Run(int argc, char** argv) {
       ->type_name("S");
   all_command->add_flag("--json", all.json, "one JSON object instead of a table");
 
+  ccmorse::tools::GradeArguments grade;
+  CLI::App* const grade_command =
+      app.add_subcommand("grade", "run a submission of a course's task, and say how good it is");
+  AddGradeOptions(*grade_command, grade);
+
   // Last, as sub-commands inherit what is there when they are made.
   app.footer(
       "Examples:\n"
@@ -459,6 +523,12 @@ int Run(int argc, char** argv) {
     if (view_command->parsed()) ccmorse::tools::ExecuteBench("view", view);
     if (embree_command->parsed()) ccmorse::tools::ExecuteBench("embree", embree);
     if (batch_command->parsed()) return ccmorse::tools::Batch(batch);
+    if (grade_command->parsed()) {
+      if (grade.submission.empty() && grade.class_folder.empty() && grade.record.empty()) {
+        throw ccmorse::Error("what is to be graded? Give a folder, a program, --class or --record");
+      }
+      return ccmorse::tools::Grade(grade);
+    }
     if (all_command->parsed()) return ccmorse::tools::BenchAll(all);
     if (fleet_command->parsed()) return ccmorse::tools::BenchFleet(fleet);
     ccmorse::tools::TellOfMorseOptions(morse, program);
@@ -482,6 +552,9 @@ int Run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "sandbox-init") {
+    return ccmorse::tools::SandboxInit(argc, argv);
+  }
   const int status = Run(argc, argv);
   // What could not be written, to a full disk say, must not look like success.
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;

@@ -1,4 +1,3 @@
-#include "tools/builder_script.h"
 #include "tools/render_command.h"
 
 #include <fmt/core.h>
@@ -18,6 +17,7 @@
 #include "render/simulation_picture.h"
 #include "scene/player/import.h"
 #include "servers/record/replay.h"
+#include "tools/builder_script.h"
 
 namespace ccmorse::tools {
 namespace {
@@ -97,8 +97,8 @@ int Render(const RenderArguments& arguments) {
     replay->Seek(arguments.time.value_or(replay->duration()));
     name = std::filesystem::path(arguments.what).stem().string();
   } else {
-    own = std::make_unique<sim::Simulation>(
-        ImportScene(arguments.what).scenario, arguments.threads);
+    own =
+        std::make_unique<sim::Simulation>(ImportScene(arguments.what).scenario, arguments.threads);
     own->Sense();
     while (own->time() < arguments.time.value_or(0.0)) {
       own->Act();

@@ -186,6 +186,7 @@ int Run(const RunArguments& arguments) {
   options.client_timeout = arguments.client_timeout;
   options.morse.bind = arguments.bind;
   options.morse.port = arguments.port;
+  options.morse.listen_socket = arguments.listen_socket;
   options.morse.first_stream_port = arguments.stream_port;
   options.player = PlayerOptions(arguments);
   if (arguments.player_port && *arguments.player_port != 0 && scenario.player) {
@@ -208,13 +209,15 @@ int Run(const RunArguments& arguments) {
   sim::Simulation simulation(std::move(scenario), arguments.threads);
   simulation.canvas().set_picture_folder(arguments.out);
   servers::Runner runner(simulation, options);
+  runner.directory().set_contest(arguments.contest);
   std::optional<HashPrinter> printer;
   if (arguments.hash_every && !arguments.quiet) {
     runner.AddWatcher(printer.emplace(simulation, *arguments.hash_every));
   }
   std::optional<servers::Recorder> recorder;
   if (!arguments.record.empty()) {
-    const servers::RecordOptions record{arguments.record_data, arguments.hash_every};
+    const servers::RecordOptions record{arguments.record_data, arguments.hash_every,
+                                        arguments.contest};
     runner.AddWatcher(recorder.emplace(simulation, arguments.record, record));
   }
 
@@ -280,7 +283,7 @@ int Run(const RunArguments& arguments) {
 }
 
 int Convert(const ConvertArguments& arguments) {
-  const scene::ImportedScenario imported = Import(arguments.file, {});
+  const scene::ImportedScenario imported = ImportScene(arguments.file, {});
   for (const scene::FileNote& note : imported.notes) {
     fmt::print(stderr, "{}: {}{}\n", note.at.Text(), note.matters ? "" : "(no matter) ", note.text);
   }

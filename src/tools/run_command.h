@@ -39,6 +39,8 @@ struct RunArguments {
   std::string record_data = "poses";        ///< servers::RecordOptions::data
   std::optional<std::uint64_t> hash_every;  ///< ticks, > 0
   bool quiet = false;
+  bool contest = false;    ///< servers::ServiceDirectory::set_contest()
+  int listen_socket = -1;  ///< servers::MorseServerOptions::listen_socket
 };
 
 /// `ccmorse run`: returns the exit status. Throws Error for what the user can put right.

@@ -764,7 +764,11 @@ MorseServer::MorseServer(asio::io_context& io, sim::Simulation& simulation,
     shared->Take(std::move(socket), std::move(name));
   });
   if (!options.listen) return;
-  shared_->listener->Open(options.bind, options.port, false);
+  if (options.listen_socket >= 0) {
+    shared_->listener->Adopt(options.listen_socket);
+  } else {
+    shared_->listener->Open(options.bind, options.port, false);
+  }
   // Ports go in the order of the components' names, as MORSE's builder writes them.
   int next_port = options.first_stream_port;
   for (sim::Component* component : simulation.components()) {

@@ -25,6 +25,8 @@ struct MorseServerOptions {
   bool listen = true;
   std::string bind = "127.0.0.1";  ///< address to listen on
   int port = 4000;                 ///< of the services; 0: any free one
+  /// A TCP socket of this process that listens already, in place of bind and port; -1: none.
+  int listen_socket = -1;
   int first_stream_port = 60000;   ///< streams take the next free ports from here; 0: any free ones
   std::size_t most_clients = 256;  ///< connections to the service port
   std::size_t most_stream_clients = 512;        ///< connections to all stream ports together

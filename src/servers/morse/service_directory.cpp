@@ -1,6 +1,7 @@
 #include "servers/morse/service_directory.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -105,7 +106,7 @@ ServiceDirectory::ServiceDirectory(sim::Simulation& simulation, RunControl contr
 }
 
 bool ServiceDirectory::HasStream(const sim::Component& component) {
-  return component.type() != "Pen" && component.streamed();
+  return component.type() != "Pen" && component.type() != "Answers" && component.streamed();
 }
 
 void ServiceDirectory::Add(const std::string& component, Service service) {
@@ -168,8 +169,15 @@ void ServiceDirectory::Run(const Target& target, Arguments arguments, const sim:
                           : "Socket service manager: wrong # of parameters for service " +
                                 service.name + ". " + complaint);
   }
-  if (input_tap_ && service.changes_simulation) {
+  const bool refused = IsRefused(*target.component, service.name);
+  const bool told = refused ? refusals_.size() < kMostRefusals : service.changes_simulation;
+  if (input_tap_ && told) {
     input_tap_({Input::Kind::kService, *target.component, service.name, ListText(arguments)});
+  }
+  if (refused) {
+    NoteRefusal(*target.component, service.name);
+    return Fail(done, "This is a contest: " + *target.component + " " + service.name +
+                          " is not for robots' programs");
   }
   try {
     if (service.text) {
@@ -188,6 +196,25 @@ void ServiceDirectory::Run(const Target& target, Arguments arguments, const sim:
                    (service.start ? "# of parameters" : "parameter type") + " for service " +
                    service.name + ". " + error.what());
   }
+}
+
+// What a program that is judged may not do: put robots or obstacles somewhere, switch physics or
+// devices, have a scanner see something else, or ask where everything is.
+bool ServiceDirectory::IsRefused(std::string_view component, std::string_view service) const {
+  if (!contest_) return false;
+  if (component == "arena" || service == "mirror") return true;
+  static constexpr std::array<std::string_view, 8> kRefused = {
+      "reset_objects",    "activate",         "deactivate",
+      "suspend_dynamics", "restore_dynamics", "set_object_position",
+      "mirror_pose",      "get_scene_objects"};
+  return component == "simulation" &&
+         std::find(kRefused.begin(), kRefused.end(), service) != kRefused.end();
+}
+
+void ServiceDirectory::NoteRefusal(std::string_view component, std::string_view service) {
+  if (refusals_.size() >= kMostRefusals) return;
+  LogWarning("contest: {} {} at {:.3f} s was refused", component, service, simulation_.time());
+  refusals_.push_back({simulation_.tick(), std::string(component), std::string(service)});
 }
 
 void ServiceDirectory::RunBytes(const Target& target, std::string_view bytes,
@@ -226,6 +253,10 @@ void ServiceDirectory::Apply(const Input& input) {
   switch (input.kind) {
     case Input::Kind::kService: {
       const Service* const service = Find(input.component, input.service).service;
+      if (service != nullptr && IsRefused(input.component, input.service)) {
+        NoteRefusal(input.component, input.service);
+        return;
+      }
       if (service == nullptr || !service->changes_simulation) break;
       Call(input.component, input.service, input.arguments, [](const sim::ServiceResult&) {});
       return;

@@ -106,6 +106,25 @@ class ServiceDirectory {
   /// Error when it is none that a tap is ever told of.
   void Apply(const Input& input);
 
+  // --- Contests: the robots' programs are judged, and nobody else is there.
+
+  /// A call that a contest does not allow.
+  struct Refusal {
+    std::uint64_t tick = 0;
+    std::string component;
+    std::string service;
+  };
+  static constexpr std::size_t kMostRefusals = 100;
+
+  /// From now on fails what changes the world beside a robot's own devices (teleporting, physics,
+  /// the arena's obstacles, a scanner's made-up ranges) and what tells where its obstacles are. The
+  /// tap hears of the first kMostRefusals such calls, so that they are in a record, and a replay
+  /// that is in a contest, too, finds them again.
+  void set_contest(bool contest) { contest_ = contest; }
+  bool contest() const { return contest_; }
+  /// The first kMostRefusals of them.
+  const std::vector<Refusal>& refusals() const { return refusals_; }
+
   /// How time is to go on now.
   TimeState time_state() const;
 
@@ -132,6 +151,8 @@ class ServiceDirectory {
   void AddQuery(const std::string& component, sim::Service service);
   Json Details() const;
   Json SceneObjects() const;
+  bool IsRefused(std::string_view component, std::string_view service) const;
+  void NoteRefusal(std::string_view component, std::string_view service);
   void PlaceObject(sim::Arguments arguments);
   void MirrorPose(sim::Arguments arguments);
   sim::Component& ComponentArgument(sim::Arguments arguments, const char* verb) const;
@@ -149,6 +170,8 @@ class ServiceDirectory {
   };
   std::vector<Stepper> steppers_;
   InputTap input_tap_;
+  bool contest_ = false;
+  std::vector<Refusal> refusals_;
 };
 
 }  // namespace ccmorse::servers

@@ -1,5 +1,7 @@
 #include "servers/net/listener.h"
 
+#include <sys/socket.h>
+
 #include <chrono>
 #include <cstdint>
 #include <utility>
@@ -39,6 +41,18 @@ void Listener::Open(const std::string& address, int port, bool search) {
                        : ""));
     }
   }
+  Accept();
+}
+
+void Listener::Adopt(int socket) {
+  int listens = 0;
+  socklen_t size = sizeof listens;
+  if (::getsockopt(socket, SOL_SOCKET, SO_ACCEPTCONN, &listens, &size) != 0 || listens == 0) {
+    throw Error("file descriptor " + std::to_string(socket) + " is no socket that listens");
+  }
+  ErrorCode error;
+  acceptor_.assign(tcp::v4(), socket, error);
+  if (error) throw Error("cannot listen on the given socket: " + error.message());
   Accept();
 }
 

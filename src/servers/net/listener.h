@@ -23,6 +23,9 @@ class Listener : public std::enable_shared_from_this<Listener> {
   /// Port 0 takes any free one. With `search`, taken ports are passed over. Throws Error that names
   /// address and port.
   void Open(const std::string& address, int port, bool search);
+  /// Takes over a TCP socket that listens already; it is the listener's from now on. Throws Error
+  /// when it is none.
+  void Adopt(int socket);
   /// Of the open listener.
   int port() const;
   void Close();

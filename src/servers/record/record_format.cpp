@@ -66,6 +66,7 @@ std::map<std::string, std::string, std::less<>> MakeSchemas() {
                             {"ccmorse", text},
                             {"name", text},
                             {"hash_every", integer},
+                            {"contest", truth},
                             {"scenario", Type("object")}}),
       Object(kInputSchema, {{"tick", integer},
                             {"order", integer},

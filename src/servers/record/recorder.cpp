@@ -231,12 +231,13 @@ std::uint16_t Recorder::AddTopic(std::string_view topic, std::string_view schema
 }
 
 void Recorder::WriteStart() {
-  const Json start(
+  Json start(
       Json::Object{{"format", kRecordFormat},
                    {"ccmorse", CCMORSE_VERSION},
                    {"name", simulation_.scenario().name},
                    {"hash_every", static_cast<std::int64_t>(options_.hash_every.value_or(1))},
                    {"scenario", scene::ToJson(simulation_.scenario())}});
+  if (options_.contest) start.Set("contest", true);
   writer_->Write(AddTopic(kStartTopic, kStartSchema), 0, start.Dump());
 }
 
@@ -262,9 +263,9 @@ void Recorder::WriteScene() {
   Json::Array cubes;
   constexpr double kThin = 0.001;  // m
   if (world.has_floor) {
-    cubes.push_back(CubeJson(
-        {world.low.x + world.size_x / 2.0, world.low.y + world.size_y / 2.0, -kThin / 2.0},
-        0.0, {world.size_x, world.size_y, kThin}, world.floor));
+    cubes.push_back(
+        CubeJson({world.low.x + world.size_x / 2.0, world.low.y + world.size_y / 2.0, -kThin / 2.0},
+                 0.0, {world.size_x, world.size_y, kThin}, world.floor));
   }
   for (const scene::Box& box : world.boxes) {
     if (!box.raised) continue;

@@ -25,6 +25,8 @@ struct RecordOptions {
   /// Hashes every so many ticks, the state's own among them; without it those of the components
   /// every tick.
   std::optional<std::uint64_t> hash_every;
+  /// The run is a contest (ServiceDirectory::set_contest()).
+  bool contest = false;
 };
 
 /// Writes the record of a run (docs/records.md). Equal runs give equal bytes: no wall-clock time,

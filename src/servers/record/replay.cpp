@@ -57,6 +57,8 @@ void ReadStart(const Json& start, RecordInfo* info) {
   info->version = Text(start, "ccmorse");
   info->hash_every = Count(start, "hash_every");
   if (info->hash_every == 0) throw RecordError("'hash_every' is 0");
+  const Json* const contest = start.Find("contest");
+  info->contest = contest != nullptr && contest->IsBool() && contest->AsBool();
   // The scenario takes its name from its file's.
   info->scenario =
       scene::ParseScenario(Member(start, "scenario").Dump(), Text(start, "name") + ".json");
@@ -143,6 +145,7 @@ void Replay::Start() {
   control.time_statistics = [] { return Json(); };
   control.set_time_scale = [](double) { return false; };
   directory_ = std::make_unique<ServiceDirectory>(*simulation_, std::move(control));
+  directory_->set_contest(info_.contest);
   hasher_ = std::make_unique<ComponentHasher>(*simulation_);
   reader_.reset();  // refers to the stream
   stream_ = Open(file_);

@@ -27,6 +27,7 @@ struct RecordInfo {
   scene::Scenario scenario;
   std::uint64_t ticks = 0;       ///< how many can be simulated again
   std::uint64_t hash_every = 1;  ///< ticks from one hash to the next
+  bool contest = false;          ///< calls were refused (ServiceDirectory::set_contest())
   bool complete = false;         ///< false: the run was killed, and the record's end is missing
   // Of a complete one only:
   bool sensed = false;     ///< the sensors took one more look after the last tick

@@ -1,0 +1,277 @@
+// `ccmorse grade` as people use it: submissions are built and run in the sandbox, and judged.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/json.h"
+#include "tests/support/process.h"
+
+namespace ccmorse::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kHere = std::string(CCMORSE_SOURCE_DIR) + "/tests/grade";
+const std::string kCourses = std::string(CCMORSE_SOURCE_DIR) + "/courses/par/";
+
+constexpr int kNotPassed = 3;
+
+struct Graded {
+  int status = -1;
+  Json json;
+  std::string output;
+  double score() const { return json.Find("score")->AsDouble(); }
+  std::string failure() const {
+    const Json::Array& runs = json.Find("runs")->AsArray();
+    return runs.empty() ? json.Find("build_failure")->AsString()
+                        : runs[0].Find("failure")->AsString();
+  }
+  std::string note() const {
+    const Json::Array& runs = json.Find("runs")->AsArray();
+    return runs.empty() ? "" : runs[0].Find("note")->AsString();
+  }
+  // Reasons of all criteria.
+  std::string reasons() const {
+    std::string all;
+    for (const Json& each : json.Find("criteria")->AsArray()) {
+      all += each.Find("reason")->AsString() + "\n";
+    }
+    return all;
+  }
+};
+
+Graded Grade(const std::string& task, const std::string& submission,
+             const std::vector<std::string>& options = {}) {
+  const TemporaryFolder folder;
+  const std::string json = folder.path() + "/grade.json";
+  std::vector<std::string> command = {
+      BuiltProgram("ccmorse"), "grade", task, submission, "--quiet", "--json", json};
+  command.insert(command.end(), options.begin(), options.end());
+  const Finished finished = RunToEnd(command, std::chrono::seconds(110));
+  Graded graded;
+  graded.status = finished.status;
+  graded.output = finished.output;
+  if (fs::exists(json)) graded.json = Json::Parse(ReadFile(json));
+  return graded;
+}
+
+// Submissions link the library of this build, which under a sanitizer needs its run time first and
+// more memory than any limit; and a machine may forbid namespaces.
+class GradeTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::string(CCMORSE_SANITIZE).empty()) GTEST_SKIP() << "submissions are built as users do";
+    const Finished tried = RunToEnd({"/usr/bin/env", "bwrap", "--unshare-all", "--ro-bind", "/",
+                                     "/", "--proc", "/proc", "/bin/true"});
+    if (tried.status != 0) GTEST_SKIP() << "no sandbox can be made here: " << tried.output;
+  }
+  static Graded OneOfTheTask(const std::string& submission) {
+    const Graded graded = Grade(kHere + "/task", kHere + "/" + submission, {"--seeds", "1"});
+    EXPECT_TRUE(graded.json.IsObject()) << graded.output;
+    return graded;
+  }
+};
+
+TEST_F(GradeTest, AGoodSubmissionPasses) {
+  const Graded graded = OneOfTheTask("good");
+  EXPECT_EQ(graded.status, 0) << graded.output;
+  EXPECT_EQ(graded.score(), 100.0) << graded.json.Dump();
+  EXPECT_TRUE(graded.json.Find("sandbox")->AsBool());
+}
+
+struct Hostile {
+  const char* name;
+  const char* reason;
+  const char* note = "";
+};
+
+void PrintTo(const Hostile& hostile, std::ostream* out) { *out << hostile.name; }
+
+class HostileTest : public GradeTest, public ::testing::WithParamInterface<Hostile> {};
+
+TEST_P(HostileTest, CountsNothingAndTheReasonIsGiven) {
+  const Hostile& hostile = GetParam();
+  const Graded graded = OneOfTheTask(std::string("hostile/") + hostile.name);
+  EXPECT_EQ(graded.status, kNotPassed) << graded.output;
+  EXPECT_EQ(graded.score(), 0.0);
+  EXPECT_NE(graded.failure().find(hostile.reason), std::string::npos) << graded.failure();
+  EXPECT_NE(graded.note().find(hostile.note), std::string::npos) << graded.note();
+  EXPECT_EQ(graded.note().find("FOUND"), std::string::npos) << graded.note();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, HostileTest,
+    ::testing::Values(
+        Hostile{"bad_build", "make: exit status 2"}, Hostile{"crash", "crashed: killed by SIGSEGV"},
+        Hostile{"exit_at_once", "never asked for the robot's data"},
+        Hostile{"flood", "flooded the simulator"}, Hostile{"fork_bomb", "more than 16 processes"},
+        Hostile{"hang", "not over after 6 s"}, Hostile{"hidden_world", "get_scene_objects"},
+        Hostile{"memory", "more than 200 MB of memory"},
+        // 7: they came to their end, and what they tried did not work.
+        Hostile{"others_canvas", "never asked", "exit status 7"},
+        Hostile{"output", "printed more than 1 MB"},
+        Hostile{"spin", "more than 1 s of processor time"},
+        Hostile{"teleport", "set_object_position"},
+        Hostile{"watcher_killer", "never asked", "exit status 7"}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+TEST_F(GradeTest, RecordsAreKeptAndJudgedAlone) {
+  const TemporaryFolder folder;
+  const Graded graded = Grade(kHere + "/task", kHere + "/good",
+                              {"--seeds", "2", "--first-seed", "4", "--keep-records", folder.path(),
+                               "--report", folder.path() + "/report.html"});
+  ASSERT_EQ(graded.status, 0) << graded.output;
+  EXPECT_EQ(graded.json.Find("runs")->AsArray().size(), 2U);
+  EXPECT_EQ(
+      RunToEnd({BuiltProgram("ccmorse"), "replay", folder.path() + "/world-4.mcap", "--verify"})
+          .status,
+      0);
+  const Finished again = RunToEnd({BuiltProgram("ccmorse"), "grade", kHere + "/task", "--record",
+                                   folder.path() + "/world-5.mcap", "--json", "-"});
+  ASSERT_EQ(again.status, 0) << again.output;
+  const Json json = Json::Parse(again.output);
+  EXPECT_EQ(json.Find("score")->AsDouble(), 100.0);
+  EXPECT_EQ(*json.Find("runs")->AsArray()[0].Find("hash"),
+            *graded.json.Find("runs")->AsArray()[1].Find("hash"));
+  const std::string page = ReadFile(folder.path() + "/report.html");
+  EXPECT_NE(page.find("ccmorse replay " + folder.path() + "/world-4.mcap"), std::string::npos);
+  // Nothing is fetched from elsewhere.
+  EXPECT_EQ(page.find("http"), std::string::npos);
+  EXPECT_EQ(page.find("src="), std::string::npos);
+}
+
+TEST_F(GradeTest, TheSameSubmissionGetsTheSameResult) {
+  const Graded first = OneOfTheTask("good");
+  for (int i = 1; i < 10; ++i) EXPECT_EQ(OneOfTheTask("good").json.Dump(), first.json.Dump());
+}
+
+struct Solution {
+  const char* task;
+  const char* name;
+};
+
+void PrintTo(const Solution& solution, std::ostream* out) {
+  *out << solution.task << "/" << solution.name;
+}
+
+class SolutionTest : public GradeTest, public ::testing::WithParamInterface<Solution> {};
+
+TEST_P(SolutionTest, Passes) {
+  const std::string task = GetParam().task;
+  // Exploration's seed 3 is the course's own world; planning's 2 and 3 are a maze and an arena.
+  const Graded graded = Grade(
+      task, kCourses + task + "/solutions/" + GetParam().name,
+      {"--first-seed", task == "planning" ? "2" : "3", "--seeds", task == "planning" ? "2" : "1"});
+  EXPECT_EQ(graded.status, 0) << graded.output;
+  EXPECT_GE(graded.score(), 90.0) << graded.output;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SolutionTest,
+                         ::testing::Values(Solution{"planning", "dijkstra"},
+                                           Solution{"planning", "theta_star"},
+                                           Solution{"exploration", "nearest_frontier"},
+                                           Solution{"exploration", "information_gain"}),
+                         [](const auto& each) {
+                           return std::string(each.param.task) + "_" + each.param.name;
+                         });
+
+TEST_F(GradeTest, PlanningsEmptyTemplateFailsWithAReason) {
+  const Graded empty = Grade("planning", kCourses + "planning/template", {"--seeds", "1"});
+  EXPECT_EQ(empty.status, kNotPassed) << empty.output;
+  EXPECT_EQ(empty.score(), 0.0);
+  EXPECT_NE(empty.reasons().find("handed in no \"path\""), std::string::npos) << empty.reasons();
+  EXPECT_NE(empty.note().find("There is no path"), std::string::npos) << empty.note();
+}
+
+TEST_F(GradeTest, ExplorationsEmptyTemplateFailsWithAReason) {
+  const Graded empty = Grade("exploration", kCourses + "exploration/template",
+                             {"--seeds", "1", "--first-seed", "3"});
+  EXPECT_EQ(empty.status, kNotPassed) << empty.output;
+  EXPECT_EQ(empty.score(), 0.0);
+  EXPECT_NE(empty.reasons().find("some is unknown"), std::string::npos) << empty.reasons();
+  EXPECT_NE(empty.reasons().find("does not drive"), std::string::npos) << empty.reasons();
+}
+
+TEST_F(GradeTest, AClassIsGradedResumedAndNoneStopsIt) {
+  const TemporaryFolder folder;
+  const std::string students = folder.path() + "/students";
+  fs::create_directories(students);
+  fs::copy(kHere + "/good", students + "/anna", fs::copy_options::recursive);
+  fs::copy(kHere + "/hostile/crash", students + "/bert", fs::copy_options::recursive);
+  fs::create_directories(students + "/empty");
+  const std::vector<std::string> command = {BuiltProgram("ccmorse"),
+                                            "grade",
+                                            kHere + "/task",
+                                            "--class",
+                                            students,
+                                            "--out",
+                                            folder.path() + "/out",
+                                            "--seeds",
+                                            "1"};
+  const Finished first = RunToEnd(command);
+  ASSERT_EQ(first.status, 0) << first.output;
+  const std::string csv = ReadFile(folder.path() + "/out/class.csv");
+  EXPECT_EQ(csv.find("place,submission,score,passed"), 0U) << csv;
+  EXPECT_NE(csv.find("1,\"anna\",100.00,yes"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("2,\"bert\",0.00,no"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("SIGSEGV"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("no Makefile"), std::string::npos) << csv;
+  EXPECT_NE(ReadFile(folder.path() + "/out/class.html").find("anna/report.html"),
+            std::string::npos);
+  EXPECT_TRUE(fs::exists(folder.path() + "/out/anna/report.html"));
+
+  // As after an interruption: one result is missing, and only that one is made again.
+  std::istringstream lines(ReadFile(folder.path() + "/out/results.jsonl"));
+  std::string kept;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("\"bert\"") == std::string::npos) kept += line + "\n";
+  }
+  std::ofstream(folder.path() + "/out/results.jsonl") << kept;
+  fs::remove_all(folder.path() + "/out/anna");
+  const Finished second = RunToEnd(command);
+  ASSERT_EQ(second.status, 0) << second.output;
+  EXPECT_NE(second.output.find("2 of 3 submissions were graded before"), std::string::npos)
+      << second.output;
+  EXPECT_EQ(ReadFile(folder.path() + "/out/class.csv"), csv);
+  EXPECT_FALSE(fs::exists(folder.path() + "/out/anna"));
+}
+
+TEST_F(GradeTest, WithoutASandboxItSaysSo) {
+  const Graded graded = Grade(kHere + "/task", kHere + "/good", {"--seeds", "1", "--no-sandbox"});
+  EXPECT_EQ(graded.status, 0) << graded.output;
+  EXPECT_FALSE(graded.json.Find("sandbox")->AsBool());
+  EXPECT_NE(graded.output.find("without sandbox"), std::string::npos) << graded.output;
+}
+
+TEST(Grade, RefusesWhereNoSandboxCanBeMade) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() + "/bwrap")
+      << "#!/bin/sh\necho 'bwrap: No permissions' >&2\nexit 1\n";
+  fs::permissions(folder.path() + "/bwrap", fs::perms::owner_all);
+  for (const auto& [path, expected] :
+       {std::pair(folder.path(), std::string("No permissions")),
+        std::pair(folder.path() + "/nothing", std::string("not installed"))}) {
+    const Finished refused = RunToEnd({"/usr/bin/env", "PATH=" + path, BuiltProgram("ccmorse"),
+                                       "grade", kHere + "/task", kHere + "/good"});
+    EXPECT_EQ(refused.status, 1) << refused.output;
+    EXPECT_NE(refused.output.find(expected), std::string::npos) << refused.output;
+    EXPECT_NE(refused.output.find("--no-sandbox"), std::string::npos) << refused.output;
+  }
+}
+
+TEST(Grade, NamesTheTasksThereAre) {
+  const Finished finished =
+      RunToEnd({BuiltProgram("ccmorse"), "grade", "planing", kHere + "/good"});
+  EXPECT_EQ(finished.status, 1);
+  EXPECT_NE(finished.output.find("did you mean 'planning'"), std::string::npos) << finished.output;
+}
+
+}  // namespace
+}  // namespace ccmorse::testing

@@ -1,0 +1,2 @@
+// Ends before it has done anything.
+int main(void) { return 0; }
