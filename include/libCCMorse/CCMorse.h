@@ -5,6 +5,7 @@
 #include "libCCMorse/GridMap.h"
 #include "libCCMorse/LaserProxy.h"
 #include "libCCMorse/MorseActuator.h"
+#include "libCCMorse/MorseAnswers.h"
 #include "libCCMorse/MorseArena.h"
 #include "libCCMorse/MorseClient.h"
 #include "libCCMorse/MorseDevice.h"

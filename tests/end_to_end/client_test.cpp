@@ -298,6 +298,21 @@ TEST(X39, ProxiesMayOutliveTheirClient) {
 }
 
 // The arena controller (thesis 5.1), from a program; tests/sim/arena_test.cpp has the rest of it.
+TEST(Answers, AProgramHandsInAPathAMapAndAPose) {
+  Rig rig;
+  auto& answers = MorseClient::GetInstance().GetRobot("s1r").GetDevice<MorseAnswers>();
+  answers.SubmitPath({{0.5, 1.25}, {2.0, 3.0}});
+  answers.SubmitGrid("map", 2, 3, "01?010", 0.05, 1.0, 2.0);
+  answers.SubmitPose(1.0, 2.0, -0.5);
+  answers.SubmitJson("other", "{\"a\": [1, null]}");
+  EXPECT_EQ(answers.GetSubmitted(), (std::vector<std::string>{"map", "other", "path", "pose"}));
+  EXPECT_THROW(answers.SubmitGrid("map", 2, 3, "01?01"), MorseError);
+  EXPECT_THROW(answers.SubmitGrid("map", 2, 3, "01x010"), MorseError);
+  EXPECT_THROW(answers.SubmitPose(1.0, std::nan(""), 0.0), MorseError);
+  EXPECT_THROW(answers.SubmitJson("other", "{"), MorseError);
+  EXPECT_THROW(answers.Submit("", std::vector<double>{1.0}), MorseError);
+}
+
 TEST(N01, AProgramRaisesAndLowersObstacles) {
   Rig rig("syrotek");
   MorseArena arena(MorseClient::GetInstance());

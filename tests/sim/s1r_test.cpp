@@ -41,17 +41,17 @@ std::vector<std::string> Names(const Simulation& simulation) {
 TEST(R13, EveryS1RCarriesTheSameDevices) {
   const Simulation simulation(Parse("{}"));
   EXPECT_EQ(Names(simulation),
-            (std::vector<std::string>{"s1r.hokuyo", "s1r.motion", "s1r.odometry", "s1r.pen",
-                                      "s1r.pose", "s1r.properties", "s1r.waypoint"}));
+            (std::vector<std::string>{"s1r.answers", "s1r.hokuyo", "s1r.motion", "s1r.odometry",
+                                      "s1r.pen", "s1r.pose", "s1r.properties", "s1r.waypoint"}));
 }
 
 TEST(R09, TwoRobotsAreEquippedAlike) {
   const Simulation simulation(Parse(
       R"({"robots": [{"name": "a", "pose": {"x": 1.2, "y": 2.0}},
                      {"name": "b", "pose": {"x": 2.0, "y": 2.8}}]})"));
-  ASSERT_EQ(simulation.components().size(), 14U);
-  for (std::size_t i = 0; i < 7; ++i) {
-    EXPECT_EQ(simulation.components()[i]->type(), simulation.components()[i + 7]->type());
+  ASSERT_EQ(simulation.components().size(), 16U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(simulation.components()[i]->type(), simulation.components()[i + 8]->type());
   }
 }
 

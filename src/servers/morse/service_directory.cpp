@@ -103,7 +103,7 @@ ServiceDirectory::ServiceDirectory(sim::Simulation& simulation, RunControl contr
 }
 
 bool ServiceDirectory::HasStream(const sim::Component& component) {
-  return component.type() != "Pen";
+  return component.type() != "Pen" && component.type() != "Answers";
 }
 
 void ServiceDirectory::Add(const std::string& component, Service service) {

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "sim/actuators/answers.h"
 #include "sim/actuators/motion_vw.h"
 #include "sim/actuators/pen.h"
 #include "sim/actuators/waypoint.h"
@@ -36,6 +37,7 @@ void EquipS1R(Robot& robot, const scene::Scenario& scenario, const World& world,
   robot.Add(std::make_unique<MotionVW>(robot, "motion"));
   robot.Add(std::make_unique<Waypoint>(robot, "waypoint"));
   robot.Add(std::make_unique<Pen>(robot, "pen", canvas));
+  robot.Add(std::make_unique<Answers>(robot, "answers"));
 }
 
 }  // namespace ccmorse::sim
