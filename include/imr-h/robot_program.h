@@ -308,10 +308,23 @@ class CRobotProgram {
     }
     client.Read();  // takes the commands along, and shows what was drawn last
 #ifdef _MORSE
+    for (const SRobot& robot : robots) {
+      const SPose* estimate = robot.behaviour->estimate();
+      if (estimate != nullptr) handIn(*estimate);
+    }
     const std::string picture = cfg.get<std::string>("save");
     if (!picture.empty()) canvas->save(picture);
 #endif  // _MORSE
   }
+
+#ifdef _MORSE
+  // To the judge, if there is one (docs/grading.md); MORSE has none.
+  static void handIn(const SPose& pose) {
+    const std::vector<CCMorse::MorseRobot*>& all = CCMorse::MorseClient::GetInstance().GetRobots();
+    CCMorse::MorseAnswers* answers = all.empty() ? nullptr : all[0]->FindDevice<CCMorse::MorseAnswers>();
+    if (answers != nullptr) answers->SubmitPose(pose.x, pose.y, pose.yaw);
+  }
+#endif  // _MORSE
 
   const CConfig& cfg;
   CCMorse::PlayerClient client;
