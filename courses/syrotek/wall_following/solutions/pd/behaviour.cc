@@ -17,9 +17,17 @@ class CWallFollower : public imr::CBehaviour {
  public:
   imr::SSpeed step(const imr::SSenses& senses, imr::CSketch& sketch) override {
     const imr::SScan& scan = senses.scan;
-    const std::size_t beam = scan.nearest(-2.4, 0.4);
-    if (beam == scan.ranges.size()) return {0.0, 0.0};
-    const imr::SPoint point = scan.point(beam);
+    // Nearest to the robot's middle, which is not where the laser is.
+    imr::SPoint point = {100.0, 0.0};
+    for (std::size_t i = 2; i + 2 < scan.ranges.size() && scan.bearing(i) < 0.4; ++i) {
+      // The mean of five beams: the smallest of many noisy ranges is smaller than the wall is near.
+      imr::SPoint mean;
+      for (std::size_t k = i - 2; k <= i + 2; ++k) {
+        mean.x += scan.point(k).x / 5;
+        mean.y += scan.point(k).y / 5;
+      }
+      if (std::hypot(mean.x, mean.y) < std::hypot(point.x, point.y)) point = mean;
+    }
     const double distance = std::hypot(point.x, point.y);
     const double angle = std::atan2(point.y, point.x);
 
