@@ -12,7 +12,7 @@ namespace {
 
 using intro::room;
 
-constexpr double DRIVE = 0.5;    // m/s of a wheel that nothing slows
+constexpr double DRIVE = 0.6;    // m/s of a wheel that nothing slows
 constexpr double TRACK = 0.14;   // m between the wheels
 constexpr double FEAR = 0.03;    // m/s off a wheel for each feeler that something is near
 constexpr double SIGHT = 0.10;   // m: as far is near
@@ -62,11 +62,11 @@ class CVehicle : public imr::CBehaviour {
     if (frightened && ahead > (senses.time - since < 4.0 ? intro::AHEAD : 0.04)) {
       frightened = false;
       moved = senses.time;
-      dark = senses.time + 1.0;
+      dark = senses.time + 0.6;
     }
     if (frightened) {
-      left = -0.15 * side;
-      right = 0.15 * side;
+      left = -0.2 * side;
+      right = 0.2 * side;
     }
     return intro::careful(senses.scan, {(left + right) / 2, (right - left) / TRACK});
   }
