@@ -193,8 +193,8 @@ class CRobotProgram {
       SRobot robot;
       robot.behaviour = std::move(behaviours[k]);
       robot.laser = std::make_unique<CCMorse::LaserProxy>(&client, first);
-      robot.position = std::make_unique<CCMorse::Position2dProxy>(
-          &client, first + static_cast<unsigned>(index));
+      robot.position =
+          std::make_unique<CCMorse::Position2dProxy>(&client, first + static_cast<unsigned>(index));
       robots.push_back(std::move(robot));
     }
 #ifdef _MORSE
@@ -321,7 +321,8 @@ class CRobotProgram {
   // To the judge, if there is one (docs/grading.md); MORSE has none.
   static void handIn(const SPose& pose) {
     const std::vector<CCMorse::MorseRobot*>& all = CCMorse::MorseClient::GetInstance().GetRobots();
-    CCMorse::MorseAnswers* answers = all.empty() ? nullptr : all[0]->FindDevice<CCMorse::MorseAnswers>();
+    CCMorse::MorseAnswers* answers =
+        all.empty() ? nullptr : all[0]->FindDevice<CCMorse::MorseAnswers>();
     if (answers != nullptr) answers->SubmitPose(pose.x, pose.y, pose.yaw);
   }
 #endif  // _MORSE

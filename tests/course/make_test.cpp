@@ -37,7 +37,8 @@ class CourseMakefile : public testing::Test {
     for (const char* file :
          {"Makefile", "robot.cc", "robot.h", "robot_main.cc", "robot_types.h", "avoidance.h"}) {
       fs::create_directories(root_ / "par/intro/solutions/thesis");
-      fs::copy(kSource / "courses/par/intro/solutions/thesis" / file, root_ / "par/intro/solutions/thesis" / file);
+      fs::copy(kSource / "courses/par/intro/solutions/thesis" / file,
+               root_ / "par/intro/solutions/thesis" / file);
     }
     fs::create_directories(root_ / "common");
     fs::copy(kSource / "courses/common/ccmorse.mk", root_ / "common/ccmorse.mk");

@@ -9,6 +9,6 @@ class CPid {
   double control(double error, double dt);
 
  private:
-  double sum = 0.0;       // of the error over time, m s
-  double last = 0.0;      // the error of the call before, m
+  double sum = 0.0;   // of the error over time, m s
+  double last = 0.0;  // the error of the call before, m
 };

@@ -1,24 +1,23 @@
 // The program of the PID task: the robot is to keep a line at constant speed, first one, then
 // another 20 cm beside it, and it is worn: it pulls to the right, and turns late. pid.cc is yours.
 
-#include "pid.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "imr-h/robot_program.h"
+#include "pid.h"
 
 namespace {
 
-constexpr double SPEED = 0.15;      // m/s
-constexpr double FROM = 1.0;        // m, x where the first line begins
-constexpr double STEP = 1.4;        // m, x where the second does
-constexpr double TO = 2.6;          // m, x where it ends
-constexpr double FIRST = 2.1;       // m, y of the first line
-constexpr double SECOND = 2.3;      // m, y of the second
-constexpr double PULL = -0.15;      // rad/s that the worn robot turns by itself
-constexpr double LAG = 0.3;         // s, time constant of its turning
+constexpr double SPEED = 0.15;        // m/s
+constexpr double FROM = 1.0;          // m, x where the first line begins
+constexpr double STEP = 1.4;          // m, x where the second does
+constexpr double TO = 2.6;            // m, x where it ends
+constexpr double FIRST = 2.1;         // m, y of the first line
+constexpr double SECOND = 2.3;        // m, y of the second
+constexpr double PULL = -0.15;        // rad/s that the worn robot turns by itself
+constexpr double LAG = 0.3;           // s, time constant of its turning
 constexpr double FASTEST_TURN = 1.5;  // rad/s
 
 class CLineKeeper : public imr::CBehaviour {

@@ -12,11 +12,11 @@ namespace {
 
 using intro::room;
 
-constexpr double DRIVE = 0.6;    // m/s of a wheel that nothing slows
-constexpr double TRACK = 0.14;   // m between the wheels
-constexpr double FEAR = 0.03;    // m/s off a wheel for each feeler that something is near
-constexpr double SIGHT = 0.10;   // m: as far is near
-constexpr double LOVE = 0.45;    // m/s off a wheel for a light one radian to its side
+constexpr double DRIVE = 0.6;     // m/s of a wheel that nothing slows
+constexpr double TRACK = 0.14;    // m between the wheels
+constexpr double FEAR = 0.03;     // m/s off a wheel for each feeler that something is near
+constexpr double SIGHT = 0.10;    // m: as far is near
+constexpr double LOVE = 0.45;     // m/s off a wheel for a light one radian to its side
 constexpr double PATIENCE = 0.5;  // s without getting on, until it takes fright
 
 class CVehicle : public imr::CBehaviour {

@@ -24,8 +24,8 @@ inline void smooth(imr::SScan& scan) {
   for (std::size_t i = 1; i + 1 < scan.ranges.size(); ++i) {
     const double last = i == 1 ? scan.ranges[0] : before;
     before = scan.ranges[i];
-    scan.ranges[i] = std::max(std::min(last, before),
-                              std::min(std::max(last, before), scan.ranges[i + 1]));
+    scan.ranges[i] =
+        std::max(std::min(last, before), std::min(std::max(last, before), scan.ranges[i + 1]));
   }
 }
 
@@ -69,8 +69,8 @@ inline bool freeBearing(const imr::SScan& scan, double wish, double& bearing) {
 
 /// The speed with as much less of v as it takes to touch nothing until the next scan but one.
 inline imr::SSpeed careful(const imr::SScan& scan, imr::SSpeed speed) {
-  const double ahead = std::min({room(scan, 0.0), room(scan, 0.1 * speed.w),
-                                 room(scan, 0.2 * speed.w)});
+  const double ahead =
+      std::min({room(scan, 0.0), room(scan, 0.1 * speed.w), room(scan, 0.2 * speed.w)});
   speed.v = std::clamp(speed.v, 0.0, ahead / 0.25);
   return speed;
 }

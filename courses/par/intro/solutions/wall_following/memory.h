@@ -30,8 +30,7 @@ class CMemory {
       }
     }
     SCell& at = cell(here);
-    again = at.time >= 0.0 && now - at.time > RECENT &&
-            std::cos(at.yaw - senses.pose.yaw) > 0.5;
+    again = at.time >= 0.0 && now - at.time > RECENT && std::cos(at.yaw - senses.pose.yaw) > 0.5;
     at.time = now;
     at.yaw = senses.pose.yaw;
   }
@@ -65,8 +64,7 @@ class CMemory {
         }
         return true;
       }
-      for (const int step :
-           {1, -1, WIDTH, -WIDTH, WIDTH + 1, WIDTH - 1, 1 - WIDTH, -1 - WIDTH}) {
+      for (const int step : {1, -1, WIDTH, -WIDTH, WIDTH + 1, WIDTH - 1, 1 - WIDTH, -1 - WIDTH}) {
         const int to = index + step;
         if (to < 0 || to >= WIDTH * WIDTH || !cells[static_cast<std::size_t>(to)].free ||
             before[static_cast<std::size_t>(to)] >= 0) {

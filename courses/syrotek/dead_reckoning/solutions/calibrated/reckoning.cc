@@ -44,8 +44,8 @@ void CReckoning::advance(const imr::SPose& last, const imr::SPose& now) {
   const double turn = turnFactor * std::remainder(now.yaw - last.yaw, TURN);
   // Forward in the odometry's frame is the chord's direction there.
   const double middle = last.yaw + std::remainder(now.yaw - last.yaw, TURN) / 2;
-  const double way = wayFactor * ((now.x - last.x) * std::cos(middle) +
-                                  (now.y - last.y) * std::sin(middle));
+  const double way =
+      wayFactor * ((now.x - last.x) * std::cos(middle) + (now.y - last.y) * std::sin(middle));
   pose.x += way * std::cos(pose.yaw + turn / 2);
   pose.y += way * std::sin(pose.yaw + turn / 2);
   pose.yaw = std::remainder(pose.yaw + turn, TURN);
