@@ -16,7 +16,7 @@ class CMemory {
   void remember(const imr::SSenses& senses) {
     here = {senses.pose.x, senses.pose.y};
     if (cells.empty()) {
-      cells.resize(static_cast<std::size_t>(WIDTH * WIDTH));
+      cells.resize(std::size_t{WIDTH} * WIDTH);
       middle = here;
     }
     now = senses.time;
@@ -122,8 +122,9 @@ class CMemory {
     return outside ? -1 : row * WIDTH + column;
   }
   imr::SPoint middleOf(int index) const {
-    return {middle.x + (index % WIDTH - WIDTH / 2 + 0.5) * CELL,
-            middle.y + (index / WIDTH - WIDTH / 2 + 0.5) * CELL};
+    const int column = index % WIDTH - WIDTH / 2;
+    const int row = index / WIDTH - WIDTH / 2;
+    return {middle.x + (column + 0.5) * CELL, middle.y + (row + 0.5) * CELL};
   }
   SCell& cell(imr::SPoint point) {
     const int index = cells.empty() ? -1 : indexOf(point);
