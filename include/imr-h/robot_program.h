@@ -95,6 +95,7 @@ class CSketch {
   struct SInk {
     const char* layer;
     int red, green, blue;
+    bool top = false;  ///< above all that are not
   };
 
 #ifdef _MORSE
@@ -111,7 +112,8 @@ class CSketch {
     CCMorse::WindowProxy& window = canvas->window();
     if (window.HasLayer(ink.layer)) return window.GetLayer(ink.layer);
     const auto part = [](int value) { return static_cast<unsigned char>(value); };
-    return window.AddLayer(ink.layer, {part(ink.red), part(ink.green), part(ink.blue)}, next++, 0);
+    return window.AddLayer(ink.layer, {part(ink.red), part(ink.green), part(ink.blue)},
+                           next++ + (ink.top ? 1000 : 0), 0);
   }
   CCanvas* canvas;
   int next = 0;
@@ -243,7 +245,7 @@ class CRobotProgram {
   static void requestEnd(int) { ended() = true; }
 
   static constexpr CSketch::SInk TRACE = {"way", 0, 255, 0};
-  static constexpr CSketch::SInk HERE = {"position", 255, 0, 255};
+  static constexpr CSketch::SInk HERE = {"position", 255, 0, 255, true};
 
   void loop() {
     const double limit = cfg.get<double>("seconds");
