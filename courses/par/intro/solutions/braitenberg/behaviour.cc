@@ -15,8 +15,8 @@ using intro::room;
 constexpr double DRIVE = 0.6;     // m/s of a wheel that nothing slows
 constexpr double TRACK = 0.14;    // m between the wheels
 constexpr double FEAR = 0.03;     // m/s off a wheel for each feeler that something is near
-constexpr double SIGHT = 0.10;    // m: as far is near
-constexpr double LOVE = 0.35;     // m/s off a wheel for a light one radian to its side
+constexpr double SIGHT = 0.05;    // m: as far is near
+constexpr double LOVE = 0.4;      // m/s off a wheel for a light one radian to its side
 constexpr double PATIENCE = 0.5;  // s without getting on, until it takes fright
 
 class CVehicle : public imr::CBehaviour {
@@ -56,7 +56,7 @@ class CVehicle : public imr::CBehaviour {
     if (!frightened && senses.time - moved > PATIENCE) {
       frightened = true;
       since = senses.time;
-      memory.avoid(goal, 0.2, 60.0);
+      memory.avoid(goal, 0.16, 60.0);
       side = -side;
     }
     if (frightened && ahead > (senses.time - since < 4.0 ? intro::AHEAD : 0.04)) {
