@@ -1,4 +1,4 @@
-#include "courses/par/intro/avoidance.h"
+#include "courses/par/intro/solutions/thesis/avoidance.h"
 
 #include <gtest/gtest.h>
 

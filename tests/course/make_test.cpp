@@ -36,10 +36,12 @@ class CourseMakefile : public testing::Test {
     root_ = name;
     for (const char* file :
          {"Makefile", "robot.cc", "robot.h", "robot_main.cc", "robot_types.h", "avoidance.h"}) {
-      fs::create_directories(root_ / "par/intro");
-      fs::copy(kSource / "courses/par/intro" / file, root_ / "par/intro" / file);
+      fs::create_directories(root_ / "par/intro/solutions/thesis");
+      fs::copy(kSource / "courses/par/intro/solutions/thesis" / file,
+               root_ / "par/intro/solutions/thesis" / file);
     }
-    fs::copy(kSource / "courses/par/ccmorse.mk", root_ / "par/ccmorse.mk");
+    fs::create_directories(root_ / "common");
+    fs::copy(kSource / "courses/common/ccmorse.mk", root_ / "common/ccmorse.mk");
     // What the tests' own environment holds must not decide.
     for (const char* variable : {"MORSE", "CCMORSE_DIR", "CCMORSE_LIBDIR", "CPPFLAGS", "CXXFLAGS",
                                  "LDFLAGS", "CXX", "MAKEFLAGS", "MFLAGS", "PKG_CONFIG_PATH"}) {
@@ -51,7 +53,7 @@ class CourseMakefile : public testing::Test {
 
   Result Run(const std::string& command) const {
     const std::string line =
-        "cd '" + (root_ / "par/intro").string() + "' && { " + command + "; } 2>&1";
+        "cd '" + (root_ / "par/intro/solutions/thesis").string() + "' && { " + command + "; } 2>&1";
     FILE* pipe = popen(line.c_str(), "r");
     if (pipe == nullptr) return {-1, "cannot run " + line};
     Result result{0, ""};
@@ -89,11 +91,11 @@ class CourseMakefile : public testing::Test {
   }
 
   void ReplaceInMakefile(const std::string& from, const std::string& to) const {
-    std::string text = ReadFile(root_ / "par/intro/Makefile");
+    std::string text = ReadFile(root_ / "par/intro/solutions/thesis/Makefile");
     const std::size_t at = text.find(from);
     ASSERT_NE(at, std::string::npos);
     text.replace(at, from.size(), to);
-    std::ofstream(root_ / "par/intro/Makefile") << text;
+    std::ofstream(root_ / "par/intro/solutions/thesis/Makefile") << text;
   }
 
   static bool Has(const std::string& text, const std::string& part) {
@@ -163,8 +165,8 @@ TEST_F(B01, BothPlatformsBuildSideBySide) {
   EXPECT_TRUE(Has(nobody.output, "ERROR: Morse error: ")) << nobody.output;
 
   EXPECT_EQ(Make("clean").status, 0);
-  EXPECT_FALSE(fs::exists(root_ / "par/intro/intro"));
-  EXPECT_FALSE(fs::exists(root_ / "par/intro/obj-syrotek"));
+  EXPECT_FALSE(fs::exists(root_ / "par/intro/solutions/thesis/intro"));
+  EXPECT_FALSE(fs::exists(root_ / "par/intro/solutions/thesis/obj-syrotek"));
 }
 
 TEST_F(B02, SimulatorCompilesWithItsFlags) {
@@ -181,7 +183,7 @@ TEST_F(B03, SimulatorLinksWithItsFlags) {
 }
 
 TEST_F(B04, RealRobotCompilesAndLinksWithItsFlagsAndObjects) {
-  std::ofstream(root_ / "par/intro/plah.cc") << "\n";
+  std::ofstream(root_ / "par/intro/solutions/thesis/plah.cc") << "\n";
   const Result result = Marked("MORSE=NO OBJSPLAH=plah.o");
   EXPECT_EQ(result.status, 0) << result.output;
   EXPECT_TRUE(Has(result.output, "-DPLAH_C -DBOOST_C -DIMRH_C")) << result.output;
@@ -223,14 +225,14 @@ TEST_F(B06, RealRobotsProgramKnowsNoWindowAndNoPen) {
 
 TEST_F(B09, TemplateHasTheListingsFilesAndClass) {
   for (const char* file : {"Makefile", "README.md", "robot.h", "robot.cc", "robot_types.h"}) {
-    EXPECT_TRUE(fs::exists(kSource / "courses/par/intro" / file)) << file;
+    EXPECT_TRUE(fs::exists(kSource / "courses/par/intro/solutions/thesis" / file)) << file;
   }
-  EXPECT_TRUE(Has(ReadFile(kSource / "courses/par/intro/robot.h"),
+  EXPECT_TRUE(Has(ReadFile(kSource / "courses/par/intro/solutions/thesis/robot.h"),
                   "class CRobot : public imr::concurrent::CThread"));
 }
 
 TEST_F(Q02, SymbolIsUnderscoreMorse) {
-  const std::string text = ReadFile(kSource / "courses/par/intro/Makefile");
+  const std::string text = ReadFile(kSource / "courses/par/intro/solutions/thesis/Makefile");
   EXPECT_TRUE(Has(text, "CPPFLAGS += -D _MORSE\n"));
   EXPECT_FALSE(Has(text, "-D MORSE"));
   // The words that the test under the name of B02 looks for are those of the Makefile.
@@ -251,8 +253,8 @@ TEST_F(CourseMakefile, PlatformsKeepTheirObjectsApart) {
 }
 
 TEST_F(CourseMakefile, FindsTheSourceTreeThatItIsPartOf) {
-  // The folder lies in par/ here, so the tree is two levels above ccmorse.mk.
-  const std::string tree = fs::weakly_canonical(root_ / "par/../..").string();
+  // The tree is two levels above ccmorse.mk.
+  const std::string tree = fs::weakly_canonical(root_ / "common/../..").string();
   const Result result = Run("make -n");
   EXPECT_TRUE(Has(result.output, "-I" + tree + "/include")) << result.output;
   EXPECT_TRUE(Has(result.output, "-L" + tree + "/build/release/lib -Wl,-rpath," + tree +
@@ -280,15 +282,15 @@ TEST_F(CourseMakefile, FindsAnInstalledLibraryByPkgConfig) {
 }
 
 TEST_F(CourseMakefile, FolderMayStandAloneWithACopyOfItsSettings) {
-  fs::copy(root_ / "par/ccmorse.mk", root_ / "par/intro/ccmorse.mk");
-  fs::remove(root_ / "par/ccmorse.mk");
+  fs::copy(root_ / "common/ccmorse.mk", root_ / "par/intro/solutions/thesis/ccmorse.mk");
+  fs::remove(root_ / "common/ccmorse.mk");
   const Result result = Make("-n");
   EXPECT_EQ(result.status, 0) << result.output;
   EXPECT_TRUE(Has(result.output, "-o intro\n"));
 }
 
 TEST_F(X45, RobotSourceMapsTheThesissParts) {
-  const std::string text = ReadFile(kSource / "courses/par/intro/robot.cc");
+  const std::string text = ReadFile(kSource / "courses/par/intro/solutions/thesis/robot.cc");
   for (const char* part :
        {"l.16-40", "l.42-71", "l.73-91", "l.93-109", "l.111-283", "l.114-132", "l.140-143",
         "l.146-181", "l.161-178", "l.183-201", "l.203-229", "l.231-264", "l.272-278"}) {
@@ -297,7 +299,7 @@ TEST_F(X45, RobotSourceMapsTheThesissParts) {
 }
 
 TEST_F(X04, RobotHeaderHasTheListingsMembers) {
-  const std::string text = ReadFile(kSource / "courses/par/intro/robot.h");
+  const std::string text = ReadFile(kSource / "courses/par/intro/solutions/thesis/robot.h");
   for (const char* member : {"imr::CConfig& cfg;", "CCMorse::PlayerClient\\* client;", "bool quit;",
                              "bool alive;", "SPosition pos;", "CCMorse::LaserProxy\\* laser;",
                              "CCMorse::Position2dProxy\\* position2d;", "Mutex mtx;"}) {

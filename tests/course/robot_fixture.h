@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "courses/par/intro/robot.h"
+#include "courses/par/intro/solutions/thesis/robot.h"
 #include "imr-h/imr_config.h"
 #include "imr-h/logging.h"
 

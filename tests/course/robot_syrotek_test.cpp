@@ -2,7 +2,7 @@
 // has no window then.
 #include <gtest/gtest.h>
 
-#include "courses/par/intro/robot.h"
+#include "courses/par/intro/solutions/thesis/robot.h"
 #include "tests/course/robot_fixture.h"
 
 #ifdef _MORSE

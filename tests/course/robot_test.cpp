@@ -1,5 +1,5 @@
 // The course's robot, built for the simulator (_MORSE), over the stand-in library.
-#include "courses/par/intro/robot.h"
+#include "courses/par/intro/solutions/thesis/robot.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <thread>
 #include <type_traits>
 
-#include "courses/par/intro/avoidance.h"
+#include "courses/par/intro/solutions/thesis/avoidance.h"
 #include "imr-h/imr_exceptions.h"
 #include "tests/course/match.h"
 #include "tests/course/robot_fixture.h"

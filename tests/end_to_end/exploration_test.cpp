@@ -1,97 +1,28 @@
 // The exploration task's programs in the simulator, judged by the simulator's record and the world.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <iostream>
 #include <map>
 #include <sstream>
 #include <string>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 #include "base/error.h"
 #include "base/image.h"
 #include "base/json.h"
 #include "scene/scenario.h"
+#include "tests/end_to_end/arena_floor.h"
 #include "tests/support/process.h"
 
 namespace ccmorse::testing {
 namespace {
 
-constexpr int kWidth = 171;
-constexpr int kHeight = 186;
-constexpr double kCell = 0.02;  // m
+constexpr int kWidth = kFloorWidth;
+constexpr int kHeight = kFloorHeight;
 
 const std::string kScenario =
     std::string(CCMORSE_SOURCE_DIR) + "/courses/par/exploration/scenario.json";
-
-std::size_t At(int x, int y) {
-  return static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
-}
-
-bool Inside(int x, int y) { return x >= 0 && x < kWidth && y >= 0 && y < kHeight; }
-
-// Whether the middle of a cell is in a box that is up, row by row from the bottom.
-std::vector<std::uint8_t> TrueWalls() {
-  const scene::Scenario scenario = scene::LoadScenario(kScenario);
-  std::vector<std::uint8_t> walls;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      bool wall = false;
-      for (const scene::Box& box : scenario.world.boxes) {
-        if (!box.raised) continue;
-        const double east = (x + 0.5) * kCell - box.pose.x;
-        const double north = (y + 0.5) * kCell - box.pose.y;
-        const double along = std::cos(box.pose.yaw) * east + std::sin(box.pose.yaw) * north;
-        const double across = std::cos(box.pose.yaw) * north - std::sin(box.pose.yaw) * east;
-        wall |= std::fabs(along) <= box.size_x / 2 && std::fabs(across) <= box.size_y / 2;
-      }
-      walls.push_back(wall ? 1 : 0);
-    }
-  }
-  return walls;
-}
-
-// Sets all cells within `radius` cells of one that is set.
-std::vector<std::uint8_t> Grown(const std::vector<std::uint8_t>& cells, int radius) {
-  std::vector<std::uint8_t> grown(cells.size(), 0);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      if (cells[At(x, y)] == 0) continue;
-      for (int dy = -radius; dy <= radius; ++dy) {
-        for (int dx = -radius; dx <= radius; ++dx) {
-          if (dx * dx + dy * dy <= radius * radius && Inside(x + dx, y + dy)) {
-            grown[At(x + dx, y + dy)] = 1;
-          }
-        }
-      }
-    }
-  }
-  return grown;
-}
-
-// The cells that the robot can come to: those that a disc of its size covers, driving from its
-// start wherever there is room. What a robot can only look into, such as a dock bay, is not
-// reached.
-std::vector<std::uint8_t> Reachable() {
-  const std::vector<std::uint8_t> blocked = Grown(TrueWalls(), 5);
-  std::vector<std::uint8_t> middles(blocked.size(), 0);
-  std::vector<std::pair<int, int>> next = {{60, 100}};
-  middles[At(60, 100)] = 1;
-  while (!next.empty()) {
-    const auto [x, y] = next.back();
-    next.pop_back();
-    for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-      if (!Inside(x + dx, y + dy) || blocked[At(x + dx, y + dy)] != 0) continue;
-      if (middles[At(x + dx, y + dy)] != 0) continue;
-      middles[At(x + dx, y + dy)] = 1;
-      next.emplace_back(x + dx, y + dy);
-    }
-  }
-  return Grown(middles, 5);
-}
 
 struct Outcome {
   Json report;
@@ -131,12 +62,13 @@ TEST_P(T12, MapIsRightAndWholeWithoutContact) {
   EXPECT_EQ(robot.Find("contacts")->AsInt(), 0);
   EXPECT_LT(outcome.report.Find("simulated_s")->AsDouble(), 400.5);
   ASSERT_EQ(outcome.map.size(), std::size_t{kWidth} * kHeight);
-  const std::vector<std::uint8_t> walls = TrueWalls();
-  const std::vector<std::uint8_t> reachable = Reachable();
+  const scene::World world = scene::LoadScenario(kScenario).world;
+  const Floor walls = TrueWalls(world);
+  const Floor reachable = Reachable(world);
   int free = 0;
   int right = 0;
   int invented = 0;  // walls in the map, more than a cell from any
-  const std::vector<std::uint8_t> near_walls = Grown(walls, 1);
+  const Floor near_walls = Grown(walls, 1);
   for (std::size_t i = 0; i < walls.size(); ++i) {
     invented += outcome.map[i] == 'O' && near_walls[i] == 0 ? 1 : 0;
     if (reachable[i] == 0 || walls[i] != 0) continue;
