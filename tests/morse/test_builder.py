@@ -354,9 +354,11 @@ class Thesis(unittest.TestCase):
     def tearDownClass(cls):
         shutil.rmtree(cls.folder)
 
-    def test_w10_r06_the_listings_run(self):
+    def test_w10_the_listing_of_17_lines_runs(self):
         self.assertEqual(self.built.status, 0, self.built.output)
         self.assertEqual(self.built.scene["world"], "syrotek")
+
+    def test_r06_robots_come_from_a_package_of_ones_own(self):
         self.assertEqual(self.built.robots(), ["robot", "s1r_2"])
         self.assertEqual(self.built.robot("robot")["type"], "S1R")
         self.assertEqual(self.built.robot("robot")["pose"], {"x": 1.2, "y": 2.0, "yaw": 2.6})
@@ -385,9 +387,46 @@ class Thesis(unittest.TestCase):
             "visible_arc": False, "layers": 1, "layer_separation": 0.8, "layer_offset": 0.125,
             "samples": 682})
 
-    def test_p03_p04_p07_the_canvas(self):
+    def with_end(self, lines):
+        """The project's script with other last lines."""
+        with open(os.path.join(self.folder, "MorseSyrotek", "default.py"), encoding="utf-8") as file:
+            script = file.read()
+        path = os.path.join(self.folder, "MorseSyrotek", "other.py")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(script + "\n" + lines)
+        return Built(path)
+
+    def test_p03_the_canvas_is_a_passive_object_with_the_thesiss_arguments(self):
+        built = self.with_end(textwrap.dedent("""\
+            import inspect
+            print("signature", inspect.signature(Canvas.__init__))
+            print("bases", [base.__name__ for base in Canvas.__mro__])
+            """))
+        self.assertEqual(built.status, 0, built.output)
+        self.assertIn("signature (self, filename, alpha=1, prefix=None, keep_pose=False)",
+                      built.output)
+        self.assertIn("'PassiveObject'", built.output)
+
+    def test_p04_alpha_below_one_is_transparent_and_from_one_on_opaque(self):
         self.assertEqual(self.built.scene["canvas"], {"alpha": 0.75})
+        for alpha, wanted in (("1", 1.0), ("3", 1.0), ("0.25", 0.25)):
+            with open(os.path.join(self.folder, "MorseSyrotek", "default.py"),
+                      encoding="utf-8") as file:
+                script = file.read()
+            path = os.path.join(self.folder, "MorseSyrotek", "alpha.py")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(script.replace("alpha = 0.75", "alpha = " + alpha))
+            built = Built(path)
+            self.assertEqual(built.status, 0, built.output)
+            self.assertEqual(built.scene.get("canvas", {}).get("alpha", 1.0), wanted)
+
+    def test_p06_the_canvass_model_is_no_object_of_the_scene(self):
+        # A square plane with a texture in MORSE; here the canvas lies on the floor by itself.
         self.assertNotIn("props", self.built.scene)
+
+    def test_p07_the_canvas_comes_from_the_package_of_components(self):
+        built = self.with_end("print('module', Canvas.__module__)\n")
+        self.assertIn("module MorseSyrotek.builder.components.canvas", built.output)
 
 
 class ResourcePath(unittest.TestCase):

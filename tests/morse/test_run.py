@@ -178,6 +178,18 @@ class Driving(unittest.TestCase):
                              properties["properties"]["canvas"]["alpha"], 0.75)
 
 
+    def test_p05_nothing_changes_the_canvass_transparency_in_a_run(self):
+        with Run(os.path.join("thesis", "default.py")) as run:
+            names = run.morse.rpc("simulation", "details")
+            services = str([robot for robot in names["robots"] if robot["name"] == "robot"])
+            self.assertIn("set_pixel", services)
+            self.assertNotIn("alpha", services)
+            with self.assertRaises(Exception):
+                run.morse.rpc("robot.pen", "set_alpha", 0.5)
+            properties = run.morse.rpc("robot.robotproperties", "get_local_data")
+            self.assertIn("0.75", str(properties["properties"]))
+
+
 class CommandLine(unittest.TestCase):
     def run_to_end(self, *arguments):
         return subprocess.run([CCMORSE] + list(arguments), env=environment(),

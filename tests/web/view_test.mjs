@@ -101,7 +101,7 @@ view("S12: a held key drives the chosen robot, and it stops when the key is rele
   await page.waitForFunction(() => window.ccmorse.frame().robots[0].w === 0);
 });
 
-view("P15-P19: Left Ctrl + Up and Down and the buttons switch where the canvas is shown", "syrotek", async (page) => {
+view("P15 P16 P17 P18 P19: Left Ctrl + Up and Down and the buttons switch where the canvas is shown", "syrotek", async (page) => {
   const shown = () => page.evaluate(() => {
     const map = document.getElementById("map");
     return map.hidden ? "ground" : map.className;
