@@ -10,6 +10,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -192,6 +193,7 @@ int Run(int argc, char** argv) {
   ccmorse::tools::AddMorseOptions(app, morse);
   ccmorse::tools::RunArguments run;
   std::vector<std::string> what;
+  std::vector<std::string> behind;  // "--"
   CLI::App* const run_command = app.add_subcommand("run", "simulate a scenario and serve clients");
   run_command
       ->add_option("scenario", what,
@@ -492,7 +494,9 @@ int Run(int argc, char** argv) {
       "`ccmorse run --help` explains the options of a run.");
 
   try {
-    app.parse(ccmorse::tools::ReversedWords(argc, argv));
+    ccmorse::tools::Words words = ccmorse::tools::SplitWords(argc, argv);
+    behind = std::move(words.behind);
+    app.parse(std::move(words.reversed));
   } catch (const CLI::ParseError& error) {
     constexpr int kUsage = 2;  // as other programs have it, where CLI11 counts from 100
     return app.exit(error) == 0 ? 0 : kUsage;
@@ -538,6 +542,7 @@ int Run(int argc, char** argv) {
     if (!scene.note.empty() && !run.quiet) ccmorse::LogInfo("{}", scene.note);
     run.scenario = scene.file;
     run.script_arguments = scene.arguments;
+    run.script_arguments.insert(run.script_arguments.end(), behind.begin(), behind.end());
     run.name = scene.name;
     return ccmorse::tools::Run(run);
   } catch (const ccmorse::Error& error) {

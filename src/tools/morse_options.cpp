@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -22,11 +23,18 @@ std::string ProgramName(int argc, const char* const* argv) {
   return called == "morse" || called == "morseexec" ? "morse" : "ccmorse";
 }
 
-std::vector<std::string> ReversedWords(int argc, const char* const* argv) {
+Words SplitWords(int argc, const char* const* argv) {
   std::vector<std::string> words;
-  for (int i = argc - 1; i > 0; --i) words.emplace_back(argv[i]);
   if (CalledAs(argc, argv) == "morseexec") words.emplace_back("run");
-  return words;
+  for (int i = 1; i < argc; ++i) words.emplace_back(argv[i]);
+  Words split;
+  const auto mark = std::find(words.begin(), words.end(), "--");
+  if (mark != words.end() && std::find(words.begin(), mark, "run") != mark) {
+    split.behind.assign(mark + 1, words.end());
+    words.erase(mark, words.end());
+  }
+  split.reversed.assign(words.rbegin(), words.rend());
+  return split;
 }
 
 void AddVersionOption(CLI::App& app, const std::string& program) {

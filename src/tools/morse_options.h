@@ -21,9 +21,14 @@ struct MorseOptions {
 /// users to type it again.
 std::string ProgramName(int argc, const char* const* argv);
 
-/// The words of the command line as CLI11 wants them, the last one first; behind `morseexec` comes
-/// `run`.
-std::vector<std::string> ReversedWords(int argc, const char* const* argv);
+/// The words of the command line.
+struct Words {
+  std::vector<std::string> reversed;  ///< as CLI11 wants them: the last one first
+  std::vector<std::string> behind;    ///< of `run`: those behind "--", for a builder script
+};
+
+/// Behind `morseexec` comes `run`.
+Words SplitWords(int argc, const char* const* argv);
 
 /// --version; as `morse` also -v, and it names the MORSE that we stand for.
 void AddVersionOption(CLI::App& app, const std::string& program);

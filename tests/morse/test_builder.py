@@ -471,6 +471,36 @@ class ResourcePath(unittest.TestCase):
         self.assertIn("scene.py\", line 5", built.output)
 
 
+class EnvironmentFiles(unittest.TestCase):
+    """C.4: an environment is a file; the simulator reads it."""
+
+    def built(self, environment):
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        hall = os.path.join(folder, "hall.blend")
+        with open(hall, "wb"):
+            pass
+        script = os.path.join(folder, "scene.py")
+        with open(script, "w", encoding="utf-8") as file:
+            file.write("from morse.builder import *\nrobot = ATRV()\nenv = Environment(%r)\n" %
+                       environment.replace("FOLDER", folder))
+        return hall, Built(script)
+
+    def test_c4_a_file_of_ones_own(self):
+        hall, built = self.built("FOLDER/hall.blend")
+        self.assertEqual(built.status, 0, built.output)
+        self.assertEqual(built.scene["world"], {"file": hall})
+
+    def test_c4_morses_own_where_they_are_installed(self):
+        installed = "/usr/share/morse/data/environments/indoors-1/indoor-1.blend"
+        _, built = self.built("indoors-1/indoor-1")
+        self.assertEqual(built.status, 0, built.output)
+        if os.path.exists(installed):
+            self.assertEqual(built.scene["world"], {"file": installed})
+        else:
+            self.assertTrue(any("is not installed" in text for _, text in built.notes()))
+
+
 class Package(unittest.TestCase):
     def test_it_needs_the_standard_library_only(self):
         own = {"morse"}

@@ -147,7 +147,7 @@ class Driving(unittest.TestCase):
     def test_all_robots_stand(self):
         with Run("all_robots.py") as run:
             self.assertEqual(len(run.morse.robots), 17)
-            # MORSE has none of these without Debian's data: a warning says what stands in.
+            # With and without Debian's data: a warning says what stands in.
             self.assertIn("an empty ground stands in for it", run.output())
 
     def test_two_cats_tutorial(self):

@@ -314,7 +314,8 @@ class Environment(AbstractComponent):
 
 
 def _stand_in(filename):
-    """The name of the world that stands in for an environment; "" for MORSE's others, None for
+    """The name of the world that stands in for an environment; "file" for those of MORSE that are
+    read, "" for its others, None for
     what is none of its."""
     if not filename:
         return None

@@ -251,8 +251,12 @@ def _world(environment, robots):
     if stand_in == "syrotek":
         result["world"] = "syrotek"
         return result
-    if not stand_in:
-        text = "the model %s is not read yet" % environment.environment_file
+    if stand_in in (None, "file") and environment.environment_file is not None:
+        # The user's own, or one of MORSE's with a level floor: read by the simulator.
+        result["world"] = {"file": environment.environment_file}
+        return result
+    if stand_in in (None, "", "file"):
+        text = "the ground of %s is not level, and robots stay at its height" % environment.filename
         if environment.environment_file is None:
             text = ("the environment %s is not installed (Debian's morse-simulator-data has it)" %
                     environment.filename)
