@@ -42,9 +42,9 @@ std::string Other(const std::string& name, double x, double y, const std::string
          more + "}";
 }
 
-class Run {
+class Trial {
  public:
-  explicit Run(const std::string& scene)
+  explicit Trial(const std::string& scene)
       : simulation_(std::make_unique<Simulation>(scene::ParseScenario(scene, "test.json"))) {}
 
   Component& Get(const std::string& name) { return *simulation_->FindComponent("robot." + name); }
@@ -92,7 +92,7 @@ void ExpectVector(const Json& data, const char* field, double x, double y, doubl
 const std::string kXyw = R"({"name": "motion", "type": "MotionXYW"})";
 
 TEST(MorseVelocityTest, SpeedsOfARobotThatLooksLeftAndGoesForward) {
-  Run run(
+  Trial run(
       Scene(R"({"name": "v", "type": "Velocity"},)"
             R"({"name": "turned", "type": "Velocity", "rotation": [0, 0, 1.5707963267948966]},)"
             R"({"name": "p", "type": "Velocity", "properties": {"ComputationMode": "Position"}},)" +
@@ -116,9 +116,9 @@ TEST(MorseVelocityTest, SpeedsOfARobotThatLooksLeftAndGoesForward) {
 }
 
 TEST(MorseAccelerometerTest, StartingAndTheCentreOfACircle) {
-  Run run(Scene(R"({"name": "a", "type": "Accelerometer"},)"
-                R"({"name": "out", "type": "Accelerometer", "position": [0, 0.5, 0]},)" +
-                kXyw));
+  Trial run(Scene(R"({"name": "a", "type": "Accelerometer"},)"
+                  R"({"name": "out", "type": "Accelerometer", "position": [0, 0.5, 0]},)" +
+                  kXyw));
   run.Ticks(2);
   run.Send("motion", R"({"x": 1.0, "y": 0, "w": 0})");
   run.Ticks(1);
@@ -137,8 +137,8 @@ TEST(MorseAccelerometerTest, StartingAndTheCentreOfACircle) {
 }
 
 TEST(MorseGyroscopeTest, AnglesOfTheSensorInTheWorld) {
-  Run run(Scene(R"({"name": "g", "type": "Gyroscope", "rotation": [0.1, -0.2, 3.0]})",
-                R"({"x": 0, "y": 0, "yaw": 1.0})"));
+  Trial run(Scene(R"({"name": "g", "type": "Gyroscope", "rotation": [0.1, -0.2, 3.0]})",
+                  R"({"x": 0, "y": 0, "yaw": 1.0})"));
   run.Data("g");
   EXPECT_NEAR(run.Number("g", "yaw"), 4.0 - 2.0 * kPi, 1e-12);
   EXPECT_NEAR(run.Number("g", "pitch"), -0.2, 1e-12);
@@ -146,10 +146,10 @@ TEST(MorseGyroscopeTest, AnglesOfTheSensorInTheWorld) {
 }
 
 TEST(MorseAttitudeTest, AnglesAndRateAndTheCompass) {
-  Run run(Scene(R"({"name": "a", "type": "Attitude"}, {"name": "north", "type": "Attitude",
+  Trial run(Scene(R"({"name": "a", "type": "Attitude"}, {"name": "north", "type": "Attitude",
                     "properties": {"UseAngleAgainstNorth": true}},)" +
-                    kXyw,
-                R"({"x": 0, "y": 0, "yaw": 0.5})"));
+                      kXyw,
+                  R"({"x": 0, "y": 0, "yaw": 0.5})"));
   run.Send("motion", R"({"x": 0, "y": 0, "w": 0.6})");
   run.Ticks(1);
   Json data = run.Data("a");
@@ -162,7 +162,7 @@ TEST(MorseAttitudeTest, AnglesAndRateAndTheCompass) {
 }
 
 TEST(MorseAirspeedTest, StagnationPressureOfTheSpeed) {
-  Run run(Scene(R"({"name": "a", "type": "Airspeed"},)" + kXyw));
+  Trial run(Scene(R"({"name": "a", "type": "Airspeed"},)" + kXyw));
   run.Send("motion", R"({"x": 2.0, "y": 1.0, "w": 0})");
   run.Ticks(2);
   run.Data("a");
@@ -170,7 +170,7 @@ TEST(MorseAirspeedTest, StagnationPressureOfTheSpeed) {
 }
 
 TEST(MorseBarometerTest, ReferencePressureWhereItStarted) {
-  Run run(Scene(R"({"name": "b", "type": "Barometer", "position": [0, 0, 5]})"));
+  Trial run(Scene(R"({"name": "b", "type": "Barometer", "position": [0, 0, 5]})"));
   run.Data("b");
   EXPECT_NEAR(run.Number("b", "pressure"), 101325.0, 1e-6);
   run.Get("b").SetProperty("ReferencePressure", 90000);
@@ -180,17 +180,17 @@ TEST(MorseBarometerTest, ReferencePressureWhereItStarted) {
 }
 
 TEST(MorseClockTest, TheTimestampAlone) {
-  Run run(Scene(R"({"name": "c", "type": "Clock"})"));
+  Trial run(Scene(R"({"name": "c", "type": "Clock"})"));
   run.Ticks(6);
   run.Data("c");
   EXPECT_EQ(run.Get("c").LocalData(), R"({"timestamp": 0.1})");
 }
 
 TEST(MorseBatteryTest, DischargesByItsRateAndChargesInAZone) {
-  Run run(Scene(R"({"name": "b", "type": "Battery", "properties": {"DischargingRate": 10}},
+  Trial run(Scene(R"({"name": "b", "type": "Battery", "properties": {"DischargingRate": 10}},
                    {"name": "teleport", "type": "Teleport"})",
-                R"({"x": 0, "y": 0})", "",
-                R"("zones": [{"type": "Charging", "position": [10, 0, 0], "half_size": [2, 2, 2]},
+                  R"({"x": 0, "y": 0})", "",
+                  R"("zones": [{"type": "Charging", "position": [10, 0, 0], "half_size": [2, 2, 2]},
                              {"type": "Other", "position": [0, 0, 0]}],)"));
   EXPECT_EQ(*run.Shown("b").Find("status"), Json("Charged"));
   run.Ticks(120);
@@ -207,11 +207,11 @@ TEST(MorseBatteryTest, DischargesByItsRateAndChargesInAZone) {
 }
 
 TEST(MorseProximityTest, WhoIsWithinRangeOfTheRobotsOrigin) {
-  Run run(Scene(R"({"name": "p", "type": "Proximity", "frequency": 60, "position": [5, 0, 0],
+  Trial run(Scene(R"({"name": "p", "type": "Proximity", "frequency": 60, "position": [5, 0, 0],
                     "properties": {"Range": 6}})",
-                R"({"x": 0, "y": 0})",
-                Other("mouse", 3, 4, R"(, "properties": {"Cheese": true})") + Other("cat", 0, 7),
-                R"("props": [{"name": "crumb", "file": "crumb", "position": [0, 1, 0.1],
+                  R"({"x": 0, "y": 0})",
+                  Other("mouse", 3, 4, R"(, "properties": {"Cheese": true})") + Other("cat", 0, 7),
+                  R"("props": [{"name": "crumb", "file": "crumb", "position": [0, 1, 0.1],
                               "properties": {"Cheese": 1}}],)"));
   run.Data("p");
   EXPECT_EQ(run.Get("p").LocalData(),
@@ -229,9 +229,9 @@ TEST(MorseProximityTest, WhoIsWithinRangeOfTheRobotsOrigin) {
 }
 
 TEST(MorseThermometerTest, FiresWarmByTheirDistance) {
-  Run run(Scene(R"({"name": "t", "type": "Thermometer"})", R"({"x": 0, "y": 0})",
-                Other("oven", 3, 4, R"(, "properties": {"Fire": true})"),
-                R"("props": [{"name": "fire", "file": "fire", "position": [10, 0, 0.1],
+  Trial run(Scene(R"({"name": "t", "type": "Thermometer"})", R"({"x": 0, "y": 0})",
+                  Other("oven", 3, 4, R"(, "properties": {"Fire": true})"),
+                  R"("props": [{"name": "fire", "file": "fire", "position": [10, 0, 0.1],
                               "properties": {"Fire": 500.0}}],)"));
   run.Data("t");
   EXPECT_NEAR(run.Number("t", "temperature"),
@@ -243,7 +243,7 @@ TEST(MorseThermometerTest, FiresWarmByTheirDistance) {
 }
 
 TEST(MorseRadarAltimeterTest, HeightAboveTheFloorAndNothingBeyondItsRange) {
-  Run run(Scene(R"({"name": "r", "type": "RadarAltimeter", "position": [0.2, 0, 2],
+  Trial run(Scene(R"({"name": "r", "type": "RadarAltimeter", "position": [0.2, 0, 2],
                     "rotation": [0, 1, 0]})"));
   run.Data("r");
   EXPECT_NEAR(run.Number("r", "z"), 2.1, 1e-6);
@@ -254,11 +254,11 @@ TEST(MorseRadarAltimeterTest, HeightAboveTheFloorAndNothingBeyondItsRange) {
 }
 
 TEST(MorseOdometryTest, LevelsRawAndDifferentialInTheFrameOfTheStart) {
-  Run run(Scene(R"({"name": "raw", "type": "Odometry", "level": "raw"},
+  Trial run(Scene(R"({"name": "raw", "type": "Odometry", "level": "raw"},
                    {"name": "diff", "type": "Odometry", "level": "differential"},
                    {"name": "slow", "type": "Odometry", "level": "raw", "frequency": 10},)" +
-                    kXyw,
-                R"({"x": 1, "y": 2, "yaw": 1.5707963267948966})"));
+                      kXyw,
+                  R"({"x": 1, "y": 2, "yaw": 1.5707963267948966})"));
   run.Send("motion", R"({"x": 3.0, "y": -4.0, "w": 0})");
   run.Ticks(12);
   const Json data = run.Data("diff");
@@ -276,10 +276,10 @@ TEST(MorseOdometryTest, LevelsRawAndDifferentialInTheFrameOfTheStart) {
 }
 
 TEST(MorseCollisionTest, NamesWhatItTouchesAndIsSilentOtherwise) {
-  Run run(Scene(R"({"name": "c", "type": "Collision"}, {"name": "only", "type": "Collision",
+  Trial run(Scene(R"({"name": "c", "type": "Collision"}, {"name": "only", "type": "Collision",
                     "properties": {"only_objects_with_property": "Soft"}},)" +
-                    kXyw,
-                R"({"x": 0, "y": 0})", Other("wall", 1, 0)));
+                      kXyw,
+                  R"({"x": 0, "y": 0})", Other("wall", 1, 0)));
   run.Data("c");
   const auto& sensor = dynamic_cast<const Sensor&>(run.Get("c"));
   EXPECT_FALSE(sensor.HasNews());
@@ -297,8 +297,8 @@ TEST(MorseCollisionTest, NamesWhatItTouchesAndIsSilentOtherwise) {
 }
 
 TEST(MorseGpsTest, SimpleIsTheSensorsPlace) {
-  Run run(Scene(R"({"name": "gps", "type": "GPS", "position": [1, 0, 0.4]})",
-                R"({"x": 2, "y": 3, "yaw": 1.5707963267948966})"));
+  Trial run(Scene(R"({"name": "gps", "type": "GPS", "position": [1, 0, 0.4]})",
+                  R"({"x": 2, "y": 3, "yaw": 1.5707963267948966})"));
   run.Data("gps");
   EXPECT_NEAR(run.Number("gps", "x"), 2.0, 1e-12);
   EXPECT_NEAR(run.Number("gps", "y"), 4.0, 1e-12);
@@ -308,10 +308,10 @@ TEST(MorseGpsTest, SimpleIsTheSensorsPlace) {
 TEST(MorseGpsTest, RawAndExtendedAreOnTheEarth) {
   const std::string geodesy = R"("geodesy": {"longitude": 1.5, "latitude": 43.6,
                                              "altitude": 150.0},)";
-  Run run(Scene(R"({"name": "raw", "type": "GPS", "level": "raw"},
+  Trial run(Scene(R"({"name": "raw", "type": "GPS", "level": "raw"},
                    {"name": "ext", "type": "GPS", "level": "extended"},)" +
-                    kXyw,
-                R"({"x": 0, "y": 0})", "", geodesy));
+                      kXyw,
+                  R"({"x": 0, "y": 0})", "", geodesy));
   Json data = run.Data("ext");
   EXPECT_NEAR(data.Find("longitude")->AsDouble(), 1.5, 1e-12);
   EXPECT_NEAR(data.Find("latitude")->AsDouble(), 43.6, 1e-12);
@@ -338,7 +338,7 @@ TEST(MorseGpsTest, RawAndExtendedAreOnTheEarth) {
 }
 
 TEST(MorseGpsTest, RawNeedsToKnowWhereTheWorldLies) {
-  EXPECT_THROW(Run(Scene(R"({"name": "raw", "type": "GPS", "level": "raw"})")), Error);
+  EXPECT_THROW(Trial(Scene(R"({"name": "raw", "type": "GPS", "level": "raw"})")), Error);
 }
 
 TEST(MorseGpsTest, TheXAxisMayPointAnywhere) {
@@ -351,7 +351,7 @@ TEST(MorseGpsTest, TheXAxisMayPointAnywhere) {
 }
 
 TEST(MorseMotionTest, XywGoesInAnyDirectionAndVwDiffLeavesOutTheTiny) {
-  Run run(Scene(R"({"name": "diff", "type": "MotionVWDiff"},)" + kXyw));
+  Trial run(Scene(R"({"name": "diff", "type": "MotionVWDiff"},)" + kXyw));
   run.Send("motion", R"({"x": 1.0, "y": 2.0, "w": 0})");
   run.Ticks(60);
   EXPECT_NEAR(run.pose().x, 1.0, 1e-9);
@@ -370,8 +370,8 @@ TEST(MorseMotionTest, XywGoesInAnyDirectionAndVwDiffLeavesOutTheTiny) {
 }
 
 TEST(MorseDestinationTest, StraightThereWithoutTurning) {
-  Run run(Scene(R"({"name": "to", "type": "Destination", "properties": {"Speed": 2}})",
-                R"({"x": 0, "y": 0, "yaw": 1.0})"));
+  Trial run(Scene(R"({"name": "to", "type": "Destination", "properties": {"Speed": 2}})",
+                  R"({"x": 0, "y": 0, "yaw": 1.0})"));
   run.Get("to").SetProperty("Tolerance", 0.01);
   run.Send("to", R"({"x": 3.0, "y": 4.0, "z": 0.0})");
   run.Ticks(60);
@@ -384,7 +384,7 @@ TEST(MorseDestinationTest, StraightThereWithoutTurning) {
 }
 
 TEST(MorseOrientationTest, AtOnceOrWithASpeed) {
-  Run run(Scene(R"({"name": "o", "type": "Orientation"},
+  Trial run(Scene(R"({"name": "o", "type": "Orientation"},
                    {"name": "slow", "type": "Orientation", "properties": {"speed": 0.5}})"));
   EXPECT_EQ(run.Number("o", "yaw"), 0.0);
   run.Send("o", R"({"yaw": 2.0, "pitch": 0, "roll": 0})");
@@ -399,7 +399,7 @@ TEST(MorseOrientationTest, AtOnceOrWithASpeed) {
 }
 
 TEST(MorseTeleportTest, PutsTheActuatorThereAndHoldsTheRobot) {
-  Run run(Scene(R"({"name": "t", "type": "Teleport", "position": [1, 0, 0]},)" + kXyw));
+  Trial run(Scene(R"({"name": "t", "type": "Teleport", "position": [1, 0, 0]},)" + kXyw));
   EXPECT_NEAR(run.Number("t", "x"), 1.0, 1e-12);
   run.Send("t", R"({"x": 5, "y": 6, "z": 0, "yaw": 1.5707963267948966, "pitch": 0, "roll": 0})");
   run.Ticks(1);
@@ -416,7 +416,7 @@ TEST(MorseTeleportTest, PutsTheActuatorThereAndHoldsTheRobot) {
 }
 
 TEST(MorseLightTest, ToggleAlwaysAnswersTrue) {
-  Run run(Scene(R"({"name": "l", "type": "Light"}, {"name": "s", "type": "Sound"})"));
+  Trial run(Scene(R"({"name": "l", "type": "Light"}, {"name": "s", "type": "Sound"})"));
   EXPECT_EQ(*run.Shown("l").Find("emit"), Json(true));
   EXPECT_EQ(run.Call("l", "toggle"), Json(true));
   EXPECT_EQ(*run.Shown("l").Find("emit"), Json(false));
@@ -428,7 +428,7 @@ TEST(MorseLightTest, ToggleAlwaysAnswersTrue) {
 }
 
 TEST(MorseWaypointTest, SetPropertyWidensTheAngleAndRemains) {
-  Run run(Scene(R"({"name": "w", "type": "Waypoint"}, {"name": "t", "type": "Teleport"})"));
+  Trial run(Scene(R"({"name": "w", "type": "Waypoint"}, {"name": "t", "type": "Teleport"})"));
   run.Get("t").set_active(false);
   run.Get("w").SetProperty("RemainAtDestination", true);
   run.Send("w", R"({"x": 2, "y": 0, "z": 0, "tolerance": 0.1})");
@@ -440,7 +440,7 @@ TEST(MorseWaypointTest, SetPropertyWidensTheAngleAndRemains) {
 }
 
 TEST(MorsePropertiesTest, OfTheScriptAndOfSetPropertyAreChecked) {
-  Run run(Scene(R"({"name": "o", "type": "Orientation"})"));
+  Trial run(Scene(R"({"name": "o", "type": "Orientation"})"));
   Component& component = run.Get("o");
   EXPECT_EQ(component.Properties().Dump(),
             R"({"speed": Infinity, "tolerance": 0.02, "ControlType": "Velocity"})");
@@ -452,8 +452,8 @@ TEST(MorsePropertiesTest, OfTheScriptAndOfSetPropertyAreChecked) {
   EXPECT_THROW(component.SetProperty("colour", 1), WrongArgument);
   EXPECT_EQ(component.Configurations(), component.Properties());
   // One that the simulator has not is of no effect, one with a wrong value an error.
-  Run(Scene(R"({"name": "o", "type": "Orientation", "properties": {"colour": 1}})"));
-  EXPECT_THROW(Run(Scene(R"({"name": "o", "type": "Orientation", "properties": {"speed": -1}})")),
+  Trial(Scene(R"({"name": "o", "type": "Orientation", "properties": {"colour": 1}})"));
+  EXPECT_THROW(Trial(Scene(R"({"name": "o", "type": "Orientation", "properties": {"speed": -1}})")),
                Error);
 }
 
@@ -467,7 +467,7 @@ TEST(MorseComponentsTest, SayTheSameAfterTheirScenarioHasBeenWritten) {
   const std::string text = scene::ToJson(scenario).Dump();
   EXPECT_EQ(scene::ToJson(scene::ParseScenario(text, "test.json")).Dump(), text);
   EXPECT_NE(text.find(R"("level": "raw")"), std::string::npos);
-  EXPECT_NE(text.find(R"("half_size": [4, 5, 6])"), std::string::npos);
+  EXPECT_NE(text.find(R"("half_size": [4.0, 5.0, 6.0])"), std::string::npos);
 }
 
 }  // namespace
