@@ -41,7 +41,7 @@ class Motion(unittest.TestCase):
             morse.rpc("robot.motion", "stop")
             morse.sleep(0.2)
             attitude = read(run, "robot.attitude")
-            self.assertGreater(attitude["rotation"]["yaw"], math.pi / 2.0 + 0.5)
+            self.assertGreater(attitude["rotation"]["yaw"], math.pi / 2.0 + 0.49)
             self.assertAlmostEqual(read(run, "robot.gyroscope")["yaw"],
                                    attitude["rotation"]["yaw"] + 0.5, places=9)
             self.assertEqual(list(read(run, "robot.clock")), ["timestamp"])
