@@ -465,6 +465,15 @@ std::string ReadComponentName(const Field& field) {
   return name;
 }
 
+// Names and values as MORSE's scripts have them; who uses one checks it.
+Json ReadProperties(const Field& field) {
+  if (!field.value().IsObject()) {
+    field.FailHere(fmt::format("must be an object {{...}}, not {}", field.value().TypeName()));
+  }
+  CheckSettings(field);
+  return field.value();
+}
+
 ComponentDef ReadComponent(const Field& field) {
   ObjectReader reader(field);
   ComponentDef component;
@@ -494,8 +503,21 @@ ComponentDef ReadComponent(const Field& field) {
   } else if (reader.Has("laser")) {
     reader.Require("laser").FailHere("is for a LaserScanner; remove it");
   }
+  if (reader.Has("level")) {
+    const std::vector<std::string> levels = LevelsOf(component.type);
+    const Field level = reader.Require("level");
+    if (levels.empty()) level.FailHere("is for a GPS or an Odometry; remove it");
+    component.level = level.Choice(levels);
+  }
+  if (reader.Has("properties")) component.properties = ReadProperties(reader.Require("properties"));
   reader.Finish();
   return component;
+}
+
+// The level of an Odometry that knows where the robot is, which Player's clients ask for.
+bool IsOdometry(const ComponentDef& component) {
+  return component.type == "Odometry" &&
+         (component.level.empty() || component.level == "integrated");
 }
 
 // The devices of a robot that has others than those of its type; they are found by Player's clients
@@ -522,7 +544,7 @@ void ReadComponents(ObjectReader& reader, RobotDef& robot) {
   robot.proxies.clear();
   for (const ComponentDef& component : components) {
     const bool scans = component.type == "LaserScanner";
-    if (!scans && component.type != "Pose" && component.type != "Odometry") continue;
+    if (!scans && component.type != "Pose" && !IsOdometry(component)) continue;
     robot.proxies[scans ? "laser" : "position2d"].emplace(0, component.name);
   }
   robot.components = std::move(components);
@@ -536,8 +558,32 @@ PropDef ReadProp(const Field& field) {
   if (reader.Has("object")) prop.object = reader.Require("object").Text();
   prop.position = reader.Vector("position", prop.position, kFarthest);
   prop.rotation = reader.Vector("rotation", prop.rotation, 20.0 * kPi);
+  if (reader.Has("properties")) prop.properties = ReadProperties(reader.Require("properties"));
   reader.Finish();
   return prop;
+}
+
+ZoneDef ReadZone(const Field& field) {
+  ObjectReader reader(field);
+  ZoneDef zone;
+  zone.type = reader.Require("type").Text();
+  zone.position = reader.Vector("position", zone.position, kFarthest);
+  const Vec3 half = reader.Vector("half_size", {1.0, 1.0, 1.0}, kFarthest);
+  zone.half_size = {std::fabs(half.x), std::fabs(half.y), std::fabs(half.z)};
+  reader.Finish();
+  return zone;
+}
+
+GeodesyDef ReadGeodesy(const Field& field) {
+  ObjectReader reader(field);
+  GeodesyDef geodesy;
+  geodesy.longitude = reader.Number("longitude", geodesy.longitude, {-180.0, 180.0});
+  geodesy.latitude = reader.Number("latitude", geodesy.latitude, {-90.0, 90.0});
+  geodesy.altitude = reader.Number("altitude", geodesy.altitude, {-12000.0, 1e6});
+  geodesy.angle_against_north =
+      reader.Number("angle_against_north", geodesy.angle_against_north, {-360.0, 360.0});
+  reader.Finish();
+  return geodesy;
 }
 
 // A robot of type Custom says itself what the model of another type would.
@@ -577,6 +623,7 @@ RobotDef ReadRobot(const Field& field, std::size_t number) {
   if (reader.Has("rangers")) robot.rangers = ReadRangers(reader.Require("rangers"), model);
   if (reader.Has("pose_noise")) robot.pose_noise = ReadPoseNoise(reader.Require("pose_noise"));
   if (reader.Has("odometry")) robot.odometry = ReadOdometry(reader.Require("odometry"));
+  if (reader.Has("properties")) robot.properties = ReadProperties(reader.Require("properties"));
   CheckRings(reader, robot);
   if (!own) CheckModule(reader, robot);
   reader.Finish();
@@ -769,6 +816,12 @@ Scenario ReadScenario(const Json& json, const std::string& file) {
       scenario.props.push_back(ReadProp(prop));
     }
   }
+  if (reader.Has("zones")) {
+    for (const Field& zone : reader.Require("zones").Items()) {
+      scenario.zones.push_back(ReadZone(zone));
+    }
+  }
+  if (reader.Has("geodesy")) scenario.geodesy = ReadGeodesy(reader.Require("geodesy"));
   if (reader.Has("obstacles")) {
     scenario.obstacles = ReadObstacles(reader.Require("obstacles"), scenario.world);
   }
@@ -845,6 +898,10 @@ Json BodyToJson(const BodyDef& body) {
                       {"origin_height", body.origin_height}};
 }
 
+void AddProperties(Json::Object& object, const Json& properties) {
+  if (!properties.AsObject().empty()) object.emplace_back("properties", properties);
+}
+
 Json ComponentToJson(const ComponentDef& component) {
   Json::Object object = {{"name", component.name},
                          {"type", component.type},
@@ -858,15 +915,32 @@ Json ComponentToJson(const ComponentDef& component) {
                                               {"rot_std", component.noise.rot_std}});
   }
   if (component.type == "LaserScanner") object.emplace_back("laser", LaserToJson(component.laser));
+  if (!component.level.empty()) object.emplace_back("level", component.level);
+  AddProperties(object, component.properties);
   return object;
 }
 
 Json PropToJson(const PropDef& prop) {
-  return Json::Object{{"name", prop.name},
-                      {"file", prop.file},
-                      {"object", prop.object},
-                      {"position", VectorToJson(prop.position)},
-                      {"rotation", VectorToJson(prop.rotation)}};
+  Json::Object object = {{"name", prop.name},
+                         {"file", prop.file},
+                         {"object", prop.object},
+                         {"position", VectorToJson(prop.position)},
+                         {"rotation", VectorToJson(prop.rotation)}};
+  AddProperties(object, prop.properties);
+  return object;
+}
+
+Json ZoneToJson(const ZoneDef& zone) {
+  return Json::Object{{"type", zone.type},
+                      {"position", VectorToJson(zone.position)},
+                      {"half_size", VectorToJson(zone.half_size)}};
+}
+
+Json GeodesyToJson(const GeodesyDef& geodesy) {
+  return Json::Object{{"longitude", geodesy.longitude},
+                      {"latitude", geodesy.latitude},
+                      {"altitude", geodesy.altitude},
+                      {"angle_against_north", geodesy.angle_against_north}};
 }
 
 Json RobotToJson(const RobotDef& robot) {
@@ -896,6 +970,7 @@ Json RobotToJson(const RobotDef& robot) {
     object.emplace_back("front", robot.front);
   }
   if (robot.body) object.emplace_back("body", BodyToJson(*robot.body));
+  AddProperties(object, robot.properties);
   const OdometryDef& odometry = robot.odometry;
   object.emplace_back("odometry", Json::Object{{"start", PoseToJson(odometry.start)},
                                                {"error", VectorToJson(odometry.error)}});
@@ -939,18 +1014,29 @@ std::vector<std::string> PlaceProblems(const Scenario& scenario) {
 
 const std::vector<std::string>& ComponentTypes() {
   static const std::vector<std::string> types = {
-      "LaserScanner", "MotionVW", "Odometry", "Pen", "Pose", "RobotProperties", "Waypoint"};
+      "Accelerometer",  "Airspeed",        "Attitude",    "Barometer",    "Battery",
+      "Clock",          "Collision",       "Destination", "GPS",          "Gyroscope",
+      "LaserScanner",   "Light",           "MotionVW",    "MotionVWDiff", "MotionXYW",
+      "Odometry",       "Orientation",     "Pen",         "Pose",         "Proximity",
+      "RadarAltimeter", "RobotProperties", "Sound",       "Teleport",     "Thermometer",
+      "Velocity",       "Waypoint"};
   return types;
+}
+
+std::vector<std::string> LevelsOf(const std::string& type) {
+  if (type == "GPS") return {"simple", "raw", "extended"};
+  if (type == "Odometry") return {"integrated", "raw", "differential"};
+  return {};
 }
 
 std::vector<std::string> DevicesFor(const RobotDef& robot, const std::string& interface) {
   if (robot.components) {
     std::vector<std::string> devices;
     for (const ComponentDef& component : *robot.components) {
-      const bool serves = component.type == "LaserScanner"
-                              ? interface == "laser" || interface == "ranger"
-                              : interface == "position2d" &&
-                                    (component.type == "Pose" || component.type == "Odometry");
+      const bool serves =
+          component.type == "LaserScanner"
+              ? interface == "laser" || interface == "ranger"
+              : interface == "position2d" && (component.type == "Pose" || IsOdometry(component));
       if (serves) devices.push_back(component.name);
     }
     return devices;
@@ -996,6 +1082,12 @@ Json ToJson(const Scenario& scenario) {
     for (const PropDef& prop : scenario.props) props.push_back(PropToJson(prop));
     object.emplace_back("props", std::move(props));
   }
+  if (!scenario.zones.empty()) {
+    Json::Array zones;
+    for (const ZoneDef& zone : scenario.zones) zones.push_back(ZoneToJson(zone));
+    object.emplace_back("zones", std::move(zones));
+  }
+  if (scenario.geodesy) object.emplace_back("geodesy", GeodesyToJson(*scenario.geodesy));
   if (scenario.player) object.emplace_back("player", PlayerSetupToJson(*scenario.player));
   return object;
 }

@@ -175,10 +175,17 @@ struct ComponentDef {
   bool services = true;     ///< answers on the service port (MORSE's add_service)
   PoseNoiseDef noise;       ///< of a Pose
   LaserDef laser;           ///< of a LaserScanner; mounted and timed as above
+  std::string level;        ///< of realism, one of LevelsOf(type); "": the one as delivered
+  /// MORSE's properties that differ from what the type is delivered with, by MORSE's names, an
+  /// object; those that the simulator's type has not are of no effect.
+  Json properties = Json(Json::Object{});
 };
 
 /// The types of component that the simulator has, sorted, by MORSE's names.
 const std::vector<std::string>& ComponentTypes();
+
+/// MORSE's levels of realism of a type, the one as delivered first; empty where there is one only.
+std::vector<std::string> LevelsOf(const std::string& type);
 
 /// Something from a model file that stands in the world: MORSE's passive object. Only kept with the
 /// scenario so far.
@@ -188,6 +195,24 @@ struct PropDef {
   std::string object;  ///< of the file's objects only those whose names start so; "": all
   Vec3 position;       ///< m
   Vec3 rotation;       ///< roll, pitch, yaw, rad
+  /// MORSE's properties of it, by name, an object: some sensors look for them.
+  Json properties = Json(Json::Object{});
+};
+
+/// A box of space with a meaning: MORSE's Zone (specs: morse.md B.6). Lies along the axes.
+struct ZoneDef {
+  std::string type;  ///< "Charging" is one that a battery knows
+  Vec3 position;     ///< m, of its middle
+  Vec3 half_size;    ///< m, half of its extents, >= 0
+};
+
+/// Where on the Earth the world lies (specs: morse.md B.2, GPS): WGS84, of the world's origin.
+struct GeodesyDef {
+  double longitude = 0.0;  ///< degrees, positive east, -180..180
+  double latitude = 0.0;   ///< degrees, positive north, -90..90
+  double altitude = 0.0;   ///< m above the ellipsoid
+  /// Degrees clockwise from north to the world's x axis: as delivered x points east.
+  double angle_against_north = 90.0;
 };
 
 /// What one robot carries under Player's names (thesis 3.2: "indexes of proxies available").
@@ -218,6 +243,8 @@ struct RobotDef {
   std::optional<BodyDef> body;  ///< of a robot of type "Custom", and of no other
   /// All its devices where it has not those of its type; then front is "none".
   std::optional<std::vector<ComponentDef>> components;
+  /// MORSE's properties of it, by name, an object: some sensors of others look for them.
+  Json properties = Json(Json::Object{});
 };
 
 /// The grid-map canvas (thesis 4.2.1).
@@ -300,6 +327,8 @@ struct Scenario {
   /// The model file that the world stands in for, a path or a name of MORSE's; "": none. Only kept.
   std::string environment;
   std::vector<PropDef> props;
+  std::vector<ZoneDef> zones;
+  std::optional<GeodesyDef> geodesy;  ///< where it is said
   ObstacleRules obstacles;
   std::vector<RobotDef> robots;
   CanvasDef canvas;

@@ -1,10 +1,18 @@
 #include "sim/component.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/robots/robot.h"
 
 namespace ccmorse::sim {
+namespace {
+
+constexpr std::size_t kMostQuoted = 40;     // bytes of a wrong value in a message
+constexpr std::size_t kLongestText = 1024;  // bytes of a property
+
+}  // namespace
 
 Component::Component(Robot& robot, const std::string& name, std::string type, double frequency)
     : robot_(robot),
@@ -43,6 +51,67 @@ void Component::Reset() {
   text_valid_ = false;
 }
 
+void Component::AddProperty(const char* name, double& value, double low, double high) {
+  properties_.push_back({name, &value, low, high, {}});
+}
+
+void Component::AddProperty(const char* name, bool& value) {
+  properties_.push_back({name, &value, 0.0, 0.0, {}});
+}
+
+void Component::AddProperty(const char* name, std::string& value,
+                            std::vector<std::string> choices) {
+  properties_.push_back({name, &value, 0.0, 0.0, std::move(choices)});
+}
+
+const Component::Property* Component::FindProperty(std::string_view name) const {
+  const auto found = std::find_if(properties_.begin(), properties_.end(),
+                                  [name](const Property& one) { return one.name == name; });
+  return found != properties_.end() ? &*found : nullptr;
+}
+
+Json Component::Properties() const {
+  Json properties(Json::Object{});
+  for (const Property& one : properties_) {
+    std::visit([&](const auto* value) { properties.Set(one.name, Json(*value)); }, one.value);
+  }
+  return properties;
+}
+
+void Component::SetProperty(std::string_view name, const Json& value) {
+  const Property* const property = FindProperty(name);
+  if (property == nullptr) throw WrongArgument("there is no property " + std::string(name));
+  const auto wrong = [&](const std::string& what) {
+    return WrongArgument(property->name + " must be " + what + ", not " +
+                         value.Dump().substr(0, kMostQuoted));
+  };
+  if (double* const* number = std::get_if<double*>(&property->value)) {
+    double given = std::numeric_limits<double>::quiet_NaN();
+    if (value.IsNumber()) given = value.AsDouble();
+    // JSON has no infinity, and whoever writes it says it in Python's words.
+    if (value == Json("inf")) given = std::numeric_limits<double>::infinity();
+    if (!(given >= property->low && given <= property->high)) {
+      throw wrong("a number from " + Json(property->low).Dump() + " to " +
+                  Json(property->high).Dump());
+    }
+    **number = given;
+  } else if (bool* const* flag = std::get_if<bool*>(&property->value)) {
+    if (!value.IsBool()) throw wrong("true or false");
+    **flag = value.AsBool();
+  } else {
+    if (!value.IsString() || value.AsString().size() > kLongestText) throw wrong("a short text");
+    const std::vector<std::string>& choices = property->choices;
+    if (!choices.empty() &&
+        std::find(choices.begin(), choices.end(), value.AsString()) == choices.end()) {
+      std::string all;
+      for (const std::string& choice : choices) all += (all.empty() ? "" : " or ") + choice;
+      throw wrong(all);
+    }
+    *std::get<std::string*>(property->value) = value.AsString();
+  }
+  PropertyChanged();
+}
+
 void Component::DataChanged(double time) {
   timestamp_ = time;
   text_valid_ = false;
@@ -59,6 +128,25 @@ void AppendField(std::string& out, const char* key, bool value) {
   out += ", \"";
   out += key;
   out += value ? "\": true" : "\": false";
+}
+
+void AppendField(std::string& out, const char* key, const Vec3& value) {
+  out += ", \"";
+  out += key;
+  out += "\": [";
+  AppendJson(out, value.x);
+  out += ", ";
+  AppendJson(out, value.y);
+  out += ", ";
+  AppendJson(out, value.z);
+  out += ']';
+}
+
+void AppendField(std::string& out, const char* key, std::string_view value) {
+  out += ", \"";
+  out += key;
+  out += "\": ";
+  AppendJson(out, value);
 }
 
 }  // namespace ccmorse::sim

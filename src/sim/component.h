@@ -4,7 +4,9 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "base/json.h"
@@ -57,8 +59,16 @@ class Component {
   /// Simulated time of the data, s.
   double timestamp() const { return timestamp_; }
 
-  /// Settings that do not change during a run (MORSE's get_configurations).
-  virtual Json Configurations() const { return Json(Json::Object{}); }
+  /// Its settings by MORSE's names (MORSE's get_configurations): the properties, as they are now,
+  /// unless it has others, which do not change during a run.
+  virtual Json Configurations() const { return Properties(); }
+
+  /// MORSE's properties of it as they are now, in the order in which they were added.
+  Json Properties() const;
+  bool HasProperty(std::string_view name) const { return FindProperty(name) != nullptr; }
+  /// Sets a property that it has (MORSE's set_property), from its next activation on. Throws
+  /// WrongArgument on a value of another type or out of range, and changes nothing then.
+  void SetProperty(std::string_view name, const Json& value);
 
   /// Where it sits on its robot, m, in the robot's frame.
   virtual Vec3 mount() const { return mount_; }
@@ -97,10 +107,28 @@ class Component {
     service.changes_simulation = false;
     services_.push_back(std::move(service));
   }
+  // A property of MORSE's that lives in a member of the component: get_properties shows it,
+  // set_property changes it. Numbers stay within low..high; an infinite `high` takes infinity, too.
+  void AddProperty(const char* name, double& value, double low, double high);
+  void AddProperty(const char* name, bool& value);
+  /// `choices`: what it may be; none: any text.
+  void AddProperty(const char* name, std::string& value, std::vector<std::string> choices = {});
   /// To be called when the data have changed at simulated time `time`, s.
   void DataChanged(double time);
+  /// Called when set_property has changed one of them.
+  virtual void PropertyChanged() {}
 
  private:
+  struct Property {
+    std::string name;
+    std::variant<double*, bool*, std::string*> value;
+    double low = 0.0;
+    double high = 0.0;
+    std::vector<std::string> choices;
+  };
+
+  const Property* FindProperty(std::string_view name) const;
+
   /// Appends `"key": value` pairs, each preceded by ", ".
   virtual void AppendFields(std::string& out) const = 0;
 
@@ -119,6 +147,7 @@ class Component {
   bool text_valid_ = false;
   std::string text_;
   std::vector<Service> services_;
+  std::vector<Property> properties_;
 };
 
 /// What the numbers of a sensor are, in their order.
@@ -139,6 +168,9 @@ class Sensor : public Component {
   /// Called on one thread before sensors that are due sample at the same time: whatever is made
   /// when first needed may be made here. May throw, as Sample() must not.
   virtual void Prepare() {}
+
+  /// Is there something to be sent of the last sample? MORSE's Collision is silent without contact.
+  virtual bool HasNews() const { return true; }
 
   /// About how much a sample costs, in beams of a scanner: work is split over threads by it.
   virtual int Work() const { return 1; }
@@ -167,5 +199,7 @@ class Actuator : public Component {
 // Helpers for AppendFields.
 void AppendField(std::string& out, const char* key, double value);
 void AppendField(std::string& out, const char* key, bool value);
+void AppendField(std::string& out, const char* key, const Vec3& value);  ///< as a list of three
+void AppendField(std::string& out, const char* key, std::string_view value);
 
 }  // namespace ccmorse::sim

@@ -139,11 +139,16 @@ class Scripts(unittest.TestCase):
 
     def test_c1_levels(self):
         built = Built("levels.py")
-        self.assertEqual(built.components(), ["odometry"])
+        self.assertEqual(built.components(), ["odometry", "raw", "gps"])
+        self.assertEqual(built.component("robot.odometry")["level"], "integrated")
+        self.assertEqual(built.component("robot.raw")["level"], "raw")
+        self.assertEqual(built.component("robot.gps")["level"], "extended")
+        self.assertEqual(built.scene["geodesy"],
+                         {"longitude": 43.6, "latitude": 1.4333, "altitude": 135.0})
         children = built.objects()["robot"]["children"]
         self.assertEqual([child["level"] for child in children], ["integrated", "raw", "extended"])
         self.assertEqual(children[0]["properties"]["abstraction_level"], "integrated")
-        self.assertEqual([line for line, _ in built.notes()], [9, 14])
+        self.assertEqual(built.notes(), [])
         self.assertEqual(built.settings()["properties"]["longitude"], 43.6)
 
     def test_c5_the_fastest_component_sets_the_pace(self):
@@ -183,7 +188,11 @@ class Scripts(unittest.TestCase):
         self.assertEqual(zone["scale"], [2.0, 2.0, 2.0])
         self.assertEqual(zone["rotation"], [0.0, 0.0, 0.0])
         self.assertEqual(zone["properties"]["Type"], "Charging")
-        self.assertEqual([line for line, _ in built.notes()], [4, 9])
+        self.assertEqual(built.notes(), [])
+        self.assertEqual(built.scene["zones"], [{"type": "Charging", "position": [10.0, 0.0, 0.0],
+                                                 "half_size": [2.0, 2.0, 2.0]}])
+        self.assertEqual(built.component("robot.battery")["properties"],
+                         {"DischargingRate": 10.0})
         battery = built.objects()["robot"]["children"][0]
         self.assertEqual(battery["properties"]["DischargingRate"], 10.0)
 
@@ -260,7 +269,7 @@ class Scripts(unittest.TestCase):
                          ["ros", "socket", "text", "socket"])
         self.assertEqual(streams[3]["method"],
                          "morse.middleware.socket_datastream.SocketPublisher")
-        self.assertEqual([line for line, _ in built.notes()], [6, 8, 11])
+        self.assertEqual([line for line, _ in built.notes()], [6, 8])
         self.assertIn("no middleware is called fax", built.output)
         self.assertIn("generic stream", built.output)
 
@@ -283,7 +292,10 @@ class Scripts(unittest.TestCase):
         self.assertEqual(bodies["pioneer"]["mass"], 9.0)
         self.assertEqual(len(bodies["b21"]["footprint"]), 16)  # it is round
         self.assertEqual(bodies["fake"]["hull"], [])
-        self.assertEqual(built.components("pr2"), ["base_scan", "odometry", "pose"])
+        self.assertEqual(built.components("pr2"),
+                         ["base_scan", "odometry", "pose", "motion"])
+        self.assertEqual(bodies["pr2"]["drive"], "omni")  # its MotionXYW goes sideways
+        self.assertEqual(bodies["atrv"]["drive"], "diff")
         torso = next(child for child in built.objects()["pr2"]["children"]
                      if child["name"] == "pr2.torso")
         self.assertEqual([child["name"] for child in torso["children"]],

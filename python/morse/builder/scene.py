@@ -16,6 +16,11 @@ _MOST_NAME = 64  # letters of a robot's name, in the simulator
 _FASTEST = 100.0  # m/s and rad/s: MORSE has no limits, the simulator's highest
 _POINT = 0.01  # m: half of a side of what stands for a body that nothing touches
 _AROUND = 5.0  # m of floor around a robot that stands beside it
+# Where on the Earth the world lies: properties of the environment.
+_GEODESY = ("longitude", "latitude", "altitude", "angle_against_north")
+_SIDEWAYS = ("Destination", "MotionXYW")  # components that take their robot in any direction
+# Properties that the builder itself sets.
+_OF_THE_BUILDER = {"classpath", "robot_tag", "component_tag", "abstraction_level"}
 _STRATEGIES = {TimeStrategies.BestEffort: "best_effort",
                TimeStrategies.FixedSimulationStep: "fixed_simulation_step"}
 
@@ -41,9 +46,17 @@ def build():
     if props:
         scene["props"] = props
     scene.update(_canvas())
+    zones = [item for item in AbstractComponent.components if isinstance(item, Zone)]
+    if zones:
+        scene["zones"] = [{"type": zone.zone_type, "position": list(zone.location),
+                           "half_size": [abs(half) for half in zone.size]} for zone in zones]
+    geodesy = {name: environment.property_value(name) for name in _GEODESY
+               if environment.property_value(name) is not None}
+    if geodesy:
+        scene["geodesy"] = {name: float(value) for name, value in geodesy.items()}
     for item in AbstractComponent.components:
         if isinstance(item, Zone):
-            places.note("zones are not simulated: nothing is charged", item.place)
+            continue
         elif isinstance(item, Mesh):
             places.note("a %s is not shown: shapes are no obstacles in MORSE either" %
                         type(item).__name__, item.place, matters=False)
@@ -97,9 +110,15 @@ def _robot(robot, names):
     else:
         result["type"] = "Custom"
         result["body"] = _body(robot, entry, z)
+    given = _given_properties(robot)
+    if given:
+        result["properties"] = given
     components, used = [], set()
     _components(robot, name, _IDENTITY, "", components, used)
     result["components"] = components
+    if "body" in result and any(one["type"] in _SIDEWAYS for one in components):
+        result["body"]["drive"] = "omni"
+        result["body"]["max_side_speed"] = _FASTEST
     for modifier in robot.modifiers:
         places.note("a robot has no data to alter", modifier["place"])
     return result
@@ -200,7 +219,8 @@ def _component(component, robot, name, frame):
         return None
     level = component.chosen_level
     entry = component.table_entry()
-    if level is not None and entry is not None and level != entry["default_level"]:
+    levelled = kind in ("GPS", "Odometry")  # the simulator has all their levels
+    if level is not None and entry is not None and level != entry["default_level"] and not levelled:
         places.note("%s: the level %s of %s is not simulated yet" % (full, level, label),
                     component.place)
         return None
@@ -210,8 +230,14 @@ def _component(component, robot, name, frame):
         "rotation": [angle + 0.0 for angle in bpymorse.euler_angles(turn)],
         "stream": any(stream["middleware"] == "socket" for stream in component.streams),
         "services": "socket" in component.services}
+    if level is not None and levelled:
+        result["level"] = level
     if kind == "LaserScanner":
         result["laser"] = _laser(component)
+    elif entry is not None:
+        given = _given_properties(component, set(entry["properties"]))
+        if given:
+            result["properties"] = given
     for modifier in component.modifiers:
         if kind == "Pose" and modifier["classpath"].endswith(".PoseNoiseModifier"):
             noise = _pose_noise(modifier["settings"])
@@ -221,6 +247,19 @@ def _component(component, robot, name, frame):
         places.note("%s: the modifier %s is not simulated yet" %
                     (full, modifier["name"] or modifier["classpath"]), modifier["place"])
     return result
+
+
+def _given_properties(item, names=None):
+    """What a script has set, as JSON can say it; `names`: only these, MORSE's own of a component."""
+    given = {}
+    for name, value in sorted(bpymorse.get_properties(item._bpy_object).items()):
+        if name.lower() in _OF_THE_BUILDER or (names is not None and name not in names):
+            continue
+        if isinstance(value, float) and math.isnan(value):
+            continue
+        if isinstance(value, (bool, int, float, str)):
+            given[name] = "inf" if value == math.inf else value
+    return given
 
 
 def _laser(component):
@@ -312,7 +351,8 @@ def _prop(item):
     places.note("the object %s is not simulated: models are not read yet" %
                 (item.prefix or item.name), item.place)
     return {"name": item.name, "file": item.path or item._model, "object": item.prefix or "",
-            "position": list(item.location), "rotation": list(item.rotation_euler)}
+            "position": list(item.location), "rotation": list(item.rotation_euler),
+            "properties": _given_properties(item)}
 
 
 def _canvas():

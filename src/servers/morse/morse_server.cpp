@@ -824,9 +824,8 @@ void MorseServer::Sensed() {
   shared_->sensed_tick = shared_->simulation.tick();
   const auto& sampled = shared_->simulation.sampled();
   for (const auto& stream : shared_->streams) {
-    if (std::find(sampled.begin(), sampled.end(), &stream->component()) != sampled.end()) {
-      stream->Publish();
-    }
+    const auto found = std::find(sampled.begin(), sampled.end(), &stream->component());
+    if (found != sampled.end() && (*found)->HasNews()) stream->Publish();
   }
   shared_->TellConnections();
 }

@@ -323,6 +323,10 @@ void ServiceDirectory::AddComponentServices(sim::Component& component) {
   Add(full_name,
       {"set_property", {{"name"}, {"value"}}, [&component](Arguments arguments) -> Json {
          const std::string& property = sim::StringArgument(arguments, 0, "name");
+         if (component.HasProperty(property)) {
+           component.SetProperty(property, arguments[1]);
+           return {};
+         }
          if (component.Configurations().Find(property) == nullptr) {
            throw ServiceFailed("Property " + property + " does not exist for object " +
                                component.full_name());

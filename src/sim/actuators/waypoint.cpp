@@ -9,13 +9,17 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr double kAngleTolerance = 10.0 * kPi / 180.0;  // AngleTolerance
+constexpr double kAngleTolerance = 10.0 * kPi / 180.0;  // as delivered
 constexpr double kTurnOnly = 60.0 * kPi / 180.0;
 
 }  // namespace
 
 Waypoint::Waypoint(Robot& robot, const std::string& name)
-    : Actuator(robot, name, "Waypoint", 60.0) {
+    : Actuator(robot, name, "Waypoint", 60.0), angle_tolerance_(kAngleTolerance) {
+  AddProperty("AngleTolerance", angle_tolerance_, 0.0, kPi);
+  AddProperty("Speed", speed_, 0.0, 1e6);
+  AddProperty("ControlType", control_, {"Velocity", "Position"});
+  AddProperty("RemainAtDestination", remain_);
   target_.point = {robot.pose().x, robot.pose().y};
   const std::vector<ServiceParameter> destination = {
       {"x"}, {"y"}, {"z"}, {"tolerance", true}, {"speed", true}};
@@ -68,7 +72,7 @@ void Waypoint::Receive(const Json& message) {
   target.z = message.Find("z") != nullptr ? NumberMember(message, "z") : 0.0;
   target.tolerance =
       message.Find("tolerance") != nullptr ? NumberMember(message, "tolerance") : 0.5;
-  target.speed = message.Find("speed") != nullptr ? NumberMember(message, "speed") : 1.0;
+  target.speed = message.Find("speed") != nullptr ? NumberMember(message, "speed") : speed_;
   Check(target);
   DriveTo(target);
 }
@@ -91,7 +95,7 @@ void Waypoint::Act(const Instant& now) {
   DataChanged(now.time);
   if (!has_target_ || paused_ || robot().driver() != this) return;
   if (Arrived()) {
-    has_target_ = false;
+    has_target_ = remain_;
     status_ = "Arrived";
     robot().Command({}, this);
     Finish(Outcome::kSuccess, status_);
@@ -102,7 +106,7 @@ void Waypoint::Act(const Instant& now) {
   const double turn = NormalizeAngle(Atan2(d.y, d.x) - pose.yaw);
   const double turn_rate = target_.speed / 2.0;
   double w = 0.0;
-  if (std::fabs(turn) > kAngleTolerance) {
+  if (std::fabs(turn) > angle_tolerance_) {
     w = std::min(turn_rate, std::fabs(turn) / now.step) * (turn > 0.0 ? 1.0 : -1.0);
   }
   const double v =

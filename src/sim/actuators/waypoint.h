@@ -9,7 +9,9 @@ namespace ccmorse::sim {
 /// target and goes forward while it looks less than 60 degrees away from it. Data and stream: x, y,
 /// z, tolerance in m, speed in m/s. Services: goto (answered "Arrived" on arrival; a new one
 /// preempts it), setdest, stop, resume, get_status. It does not avoid obstacles: MORSE's needs two
-/// radar sensors, which the S1R lacks.
+/// radar sensors, which the S1R lacks. Properties: AngleTolerance, within which it does not turn,
+/// rad, Speed, ControlType, and RemainAtDestination, with which it goes back where something else
+/// has taken the robot away.
 class Waypoint : public Actuator {
  public:
   Waypoint(Robot& robot, const std::string& name);
@@ -41,7 +43,11 @@ class Waypoint : public Actuator {
   bool has_target_ = false;
   bool paused_ = false;
   const char* status_ = "Stop";
-  Completion pending_;  // of a goto
+  Completion pending_;                // of a goto
+  double angle_tolerance_;            // AngleTolerance, rad
+  double speed_ = 1.0;                // Speed, m/s: of stream messages that say none
+  bool remain_ = false;               // RemainAtDestination
+  std::string control_ = "Velocity";  // ControlType: of no effect
 };
 
 }  // namespace ccmorse::sim

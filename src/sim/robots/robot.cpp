@@ -1,17 +1,41 @@
 #include "sim/robots/robot.h"
 
 #include <algorithm>
+#include <map>
 
 #include "base/error.h"
+#include "base/trig.h"
+#include "sim/actuators/destination.h"
+#include "sim/actuators/light.h"
 #include "sim/actuators/motion_vw.h"
+#include "sim/actuators/motion_vw_diff.h"
+#include "sim/actuators/motion_xyw.h"
+#include "sim/actuators/orientation.h"
 #include "sim/actuators/pen.h"
+#include "sim/actuators/sound.h"
+#include "sim/actuators/teleport.h"
 #include "sim/actuators/waypoint.h"
 #include "sim/canvas.h"
 #include "sim/robots/s1r.h"
+#include "sim/sensors/accelerometer.h"
+#include "sim/sensors/airspeed.h"
+#include "sim/sensors/attitude.h"
+#include "sim/sensors/barometer.h"
+#include "sim/sensors/battery.h"
+#include "sim/sensors/clock.h"
+#include "sim/sensors/collision.h"
+#include "sim/sensors/differential_odometry.h"
+#include "sim/sensors/gps.h"
+#include "sim/sensors/gyroscope.h"
 #include "sim/sensors/laser_scanner.h"
 #include "sim/sensors/odometry.h"
 #include "sim/sensors/pose.h"
+#include "sim/sensors/proximity.h"
+#include "sim/sensors/radar_altimeter.h"
+#include "sim/sensors/raw_odometry.h"
 #include "sim/sensors/robot_properties.h"
+#include "sim/sensors/thermometer.h"
+#include "sim/sensors/velocity.h"
 
 namespace ccmorse::sim {
 
@@ -74,6 +98,16 @@ void Robot::Place(const Pose2& pose) {
   outline_old_ = true;
 }
 
+void Robot::Orient(double yaw) {
+  pose_.yaw = yaw;
+  outline_old_ = true;
+}
+
+Vec3 Robot::velocity() const {
+  const auto [s, c] = SinCos(pose_.yaw);
+  return {c * twist_.v - s * twist_.side, s * twist_.v + c * twist_.side, 0.0};
+}
+
 const Obstacle& Robot::outline() const {
   if (outline_old_) {
     outline_.MoveTo(footprint_, pose_);
@@ -91,6 +125,30 @@ void Robot::Reset() {
 
 namespace {
 
+template <typename T, typename... Needs>
+Component& AddOf(Robot& robot, const scene::ComponentDef& def, const Needs&... needs) {
+  return robot.Add(std::make_unique<T>(robot, def.name, needs...));
+}
+
+Component& AddOdometry(Robot& robot, const scene::ComponentDef& def,
+                       const scene::Scenario& scenario) {
+  if (def.level == "raw") return AddOf<RawOdometry>(robot, def);
+  if (def.level == "differential") return AddOf<DifferentialOdometry>(robot, def);
+  return robot.Add(std::make_unique<OdometrySensor>(robot, def.name, scenario.seed));
+}
+
+// The properties that a script or a file gives; those that the component has not are of no effect.
+void SetProperties(Component& component, const Json& properties) {
+  for (const auto& [name, value] : properties.AsObject()) {
+    if (!component.HasProperty(name)) continue;
+    try {
+      component.SetProperty(name, value);
+    } catch (const WrongArgument& wrong) {
+      throw Error(component.full_name() + ": " + wrong.what());
+    }
+  }
+}
+
 Component& AddComponent(Robot& robot, const scene::ComponentDef& def,
                         const scene::Scenario& scenario, const World& world, Canvas& canvas) {
   if (def.type == "LaserScanner") {
@@ -100,15 +158,39 @@ Component& AddComponent(Robot& robot, const scene::ComponentDef& def,
   if (def.type == "Pose") {
     return robot.Add(std::make_unique<PoseSensor>(robot, def.name, scenario.seed, def.noise));
   }
-  if (def.type == "Odometry") {
-    return robot.Add(std::make_unique<OdometrySensor>(robot, def.name, scenario.seed));
+  if (def.type == "Odometry") return AddOdometry(robot, def, scenario);
+  if (def.type == "GPS") {
+    return robot.Add(std::make_unique<Gps>(robot, def.name, def.level, scenario));
   }
   if (def.type == "RobotProperties") {
     return robot.Add(std::make_unique<RobotProperties>(robot, def.name, scenario));
   }
-  if (def.type == "MotionVW") return robot.Add(std::make_unique<MotionVW>(robot, def.name));
-  if (def.type == "Waypoint") return robot.Add(std::make_unique<Waypoint>(robot, def.name));
   if (def.type == "Pen") return robot.Add(std::make_unique<Pen>(robot, def.name, canvas));
+  if (def.type == "Attitude") return AddOf<Attitude>(robot, def, scenario);
+  if (def.type == "Battery") return AddOf<Battery>(robot, def, scenario);
+  if (def.type == "Collision") return AddOf<Collision>(robot, def, world);
+  if (def.type == "Proximity") return AddOf<Proximity>(robot, def, scenario, world);
+  if (def.type == "RadarAltimeter") return AddOf<RadarAltimeter>(robot, def, world);
+  if (def.type == "Thermometer") return AddOf<Thermometer>(robot, def, scenario, world);
+  // All others need nothing but their robot and a name.
+  using Maker = Component& (*)(Robot&, const scene::ComponentDef&);
+  static const std::map<std::string, Maker> makers = {{"Accelerometer", AddOf<Accelerometer>},
+                                                      {"Airspeed", AddOf<Airspeed>},
+                                                      {"Barometer", AddOf<Barometer>},
+                                                      {"Clock", AddOf<Clock>},
+                                                      {"Destination", AddOf<Destination>},
+                                                      {"Gyroscope", AddOf<Gyroscope>},
+                                                      {"Light", AddOf<Light>},
+                                                      {"MotionVW", AddOf<MotionVW>},
+                                                      {"MotionVWDiff", AddOf<MotionVWDiff>},
+                                                      {"MotionXYW", AddOf<MotionXYW>},
+                                                      {"Orientation", AddOf<Orientation>},
+                                                      {"Sound", AddOf<Sound>},
+                                                      {"Teleport", AddOf<Teleport>},
+                                                      {"Velocity", AddOf<Velocity>},
+                                                      {"Waypoint", AddOf<Waypoint>}};
+  const auto maker = makers.find(def.type);
+  if (maker != makers.end()) return maker->second(robot, def);
   throw Error("there is no component of type '" + def.type + "'");
 }
 
@@ -121,6 +203,7 @@ void Equip(Robot& robot, const scene::Scenario& scenario, const World& world, Ca
       component.set_frequency(def.frequency);
       component.set_mount(def.position, def.rotation);
       component.set_interfaces(def.stream, def.services);
+      SetProperties(component, def.properties);
       component.Reset();  // to show from the start what it has at its place
     }
     return;

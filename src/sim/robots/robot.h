@@ -48,6 +48,9 @@ class Robot {
   bool stalled() const { return stalled_; }      ///< the last tick's motion was blocked
   const RobotTally& tally() const { return tally_; }
 
+  /// twist() in the world's frame, m/s: what a physics engine calls the body's linear velocity.
+  Vec3 velocity() const;
+
   /// Speeds from the next physics step on, clamped to the model's limits. `by` is the actuator that
   /// drives from now on: where two are mounted, the one commanded last has the robot.
   void Command(const Twist& twist, const Actuator* by);
@@ -58,6 +61,9 @@ class Robot {
 
   /// Puts the robot somewhere, standing still.
   void Place(const Pose2& pose);
+
+  /// Turns it on the spot, rad, whatever it is doing.
+  void Orient(double yaw);
 
   /// Its outline for others to run into, at the current pose.
   const Obstacle& outline() const;

@@ -1,0 +1,32 @@
+#include "sim/sensors/gyroscope.h"
+
+#include "sim/robots/robot.h"
+
+namespace ccmorse::sim {
+
+Gyroscope::Gyroscope(Robot& robot, const std::string& name)
+    : Sensor(robot, name, "Gyroscope", 60.0) {}
+
+void Gyroscope::Sample(const Instant& now) {
+  euler_ = PlaceOfMount(*this).euler;
+  DataChanged(now.time);
+}
+
+void Gyroscope::Reset() {
+  Sensor::Reset();
+  euler_ = {};
+}
+
+void Gyroscope::AddToHash(StateHash& hash) const {
+  hash.Add(euler_.x);
+  hash.Add(euler_.y);
+  hash.Add(euler_.z);
+}
+
+void Gyroscope::AppendFields(std::string& out) const {
+  AppendField(out, "yaw", euler_.z);
+  AppendField(out, "pitch", euler_.y);
+  AppendField(out, "roll", euler_.x);
+}
+
+}  // namespace ccmorse::sim

@@ -1,0 +1,63 @@
+#include "sim/sensors/thermometer.h"
+
+#include <cmath>
+#include <limits>
+
+#include "base/trig.h"
+#include "sim/robots/robot.h"
+#include "sim/sensors/sensor_motion.h"
+
+namespace ccmorse::sim {
+
+namespace {
+
+// What the property says of its strength: itself where it is a number.
+double Strength(const Json& value, double otherwise) {
+  return value.IsNumber() ? value.AsDouble() : otherwise;
+}
+
+}  // namespace
+
+Thermometer::Thermometer(Robot& robot, const std::string& name, const scene::Scenario& scenario,
+                         const World& world)
+    : Sensor(robot, name, "Thermometer", 60.0),
+      world_(world),
+      props_(scenario.props),
+      range_(std::numeric_limits<double>::infinity()) {
+  constexpr double kAny = 1e12;
+  AddProperty("FireTag", tag_);
+  AddProperty("DefaultTemperature", default_, -kAny, kAny);
+  AddProperty("FireTemperature", fire_, -kAny, kAny);
+  AddProperty("Range", range_, 0.0, std::numeric_limits<double>::infinity());
+  AddProperty("Alpha", alpha_, 0.0, kAny);
+}
+
+void Thermometer::Sample(const Instant& now) {
+  const Vec3 here = PlaceOfMount(*this).position;
+  temperature_ = default_;
+  const auto add = [&](const Json& properties, const Vec3& there) {
+    const Json* const fire = properties.Find(tag_);
+    if (fire == nullptr) return;
+    const Vec3 off = there - here;
+    const double distance = std::sqrt(Dot(off, off));
+    if (distance < range_) temperature_ += Strength(*fire, fire_) * Exp(-alpha_ * distance);
+  };
+  for (const Robot* other : world_.robots()) {
+    if (other != &robot()) add(other->def().properties, other->position());
+  }
+  for (const scene::PropDef& prop : props_) add(prop.properties, prop.position);
+  DataChanged(now.time);
+}
+
+void Thermometer::Reset() {
+  Sensor::Reset();
+  temperature_ = 0.0;
+}
+
+void Thermometer::AddToHash(StateHash& hash) const { hash.Add(temperature_); }
+
+void Thermometer::AppendFields(std::string& out) const {
+  AppendField(out, "temperature", temperature_);
+}
+
+}  // namespace ccmorse::sim

@@ -1,0 +1,43 @@
+from morse.builder import *
+
+robot = ATRV()
+
+gps = GPS()
+gps.translate(x=0.5, z=0.4)
+robot.append(gps)
+earth = GPS()
+earth.level('raw')
+robot.append(earth)
+extended = GPS()
+extended.level('extended')
+robot.append(extended)
+barometer = Barometer()
+robot.append(barometer)
+thermometer = Thermometer()
+robot.append(thermometer)
+altimeter = RadarAltimeter()
+altimeter.translate(z=2.0)
+robot.append(altimeter)
+proximity = Proximity()
+robot.append(proximity)
+collision = Collision()
+robot.append(collision)
+battery = Battery()
+battery.properties(DischargingRate=10.0)
+robot.append(battery)
+motion = MotionXYW()
+robot.append(motion)
+teleport = Teleport()
+robot.append(teleport)
+robot.add_default_interface('socket')
+
+mouse = ATRV()
+mouse.translate(x=3.0, y=4.0)
+mouse.properties(Fire=300.0)
+
+zone = Zone(type='Charging')
+zone.size = [2.0, 2.0, 2.0]
+zone.translate(x=-10)
+
+env = Environment('empty', fastmode=True)
+env.properties(longitude=1.5, latitude=43.6, altitude=150.0)
