@@ -8,10 +8,11 @@
 
 namespace imr {
 
-// A hit is worth more than a beam that went by: lines of cells graze walls where beams do not.
+// A hit is worth more than a beam that went by: lines of cells graze walls where beams do not. A
+// few hits make a free cell a wall, not one: it may be noise.
 void CMapGrid::updateCell(int x, int y, double occupied) {
   if (!contains(x, y)) return;
-  const double step = occupied > UNKNOWN ? 0.4 : -0.04;
+  const double step = occupied > UNKNOWN ? 0.25 : -0.05;
   setCell(x, y, std::clamp(getCell(x, y) + step, EMPTY, OCCUPIED));
 }
 
