@@ -53,6 +53,7 @@ def run(source, binary, folder):
     assert done.returncode == 0, f"a block failed with status {done.returncode}"
     scores = [float(score) for score in re.findall(r"^score ([0-9.]+) of 100", done.stdout, re.M)]
     assert len(scores) == 2, f"{len(scores)} scores instead of the template's and the vehicle's"
+    assert "Obstacle avoidance: intro" in done.stdout, "the submission's name is missing"
     print(f"template {scores[0]}, vehicle {scores[1]}")
     assert scores[1] > scores[0] + 20, "the vehicle is hardly better than the template"
     report = home + "/robots/intro/report.html"
