@@ -18,7 +18,7 @@ constexpr double kFree = 0.4;    // less: seen, and free
 constexpr double kWall = 0.6;    // more: an obstacle
 constexpr int kFewestCells = 2;  // of a frontier: the narrowest way through a gate is as wide
 
-constexpr int kLooks = 5;        // a second each; a turn on the spot takes three
+constexpr int kLooks = 5;  // a second each; a turn on the spot takes three
 
 constexpr std::array<SCell, 8> kAround = {SCell{1, 0}, SCell{0, 1},  SCell{-1, 0},  SCell{0, -1},
                                           SCell{1, 1}, SCell{-1, 1}, SCell{-1, -1}, SCell{1, -1}};
