@@ -31,6 +31,7 @@ namespace fs = std::filesystem;
 struct Arguments {
   std::string what;
   std::string out;
+  std::vector<std::string> without;
 };
 
 // Folders and files that are made anew from the rest, or are of no use elsewhere.
@@ -124,6 +125,48 @@ void RequireWorld(const fs::path& scenario, const fs::path& root) {
   }
 }
 
+// The settings that Makefiles of a course's task include. They lie beside the task, once for all of
+// them; in the archive they lie in the task's own folder, where the Makefiles look, too.
+void AddSettings(const fs::path& root, const std::string& prefix, std::vector<ZipSource>& files) {
+  const bool makes = std::any_of(files.begin(), files.end(), [](const ZipSource& file) {
+    return file.file.filename() == "Makefile" &&
+           ReadFile(file.file.string()).find(".mk") != std::string::npos;
+  });
+  if (!makes) return;
+  std::error_code failed;
+  for (const char* const name : {"ccmorse.mk", "task.mk"}) {
+    if (fs::exists(root / name, failed)) continue;
+    for (const fs::path& place : {root / ".." / name, root / ".." / ".." / "common" / name}) {
+      if (!fs::is_regular_file(place, failed)) continue;
+      files.push_back({prefix + name, fs::canonical(place), false});
+      break;
+    }
+  }
+}
+
+// Takes the files and folders `without`, which lie directly in `root`, out of `files`.
+void LeaveOut(const std::vector<std::string>& without, const fs::path& root,
+              std::vector<ZipSource>& files) {
+  for (const std::string& each : without) {
+    const fs::path name = fs::path(each).lexically_normal();
+    const fs::path place = name.has_filename() ? name : name.parent_path();
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(root)) {
+      names.push_back(entry.path().filename().string());
+    }
+    if (std::find(names.begin(), names.end(), place.string()) == names.end()) {
+      throw Error(fmt::format("there is no {} in {}{}", scene::Quoted(each), root.string(),
+                              DidYouMean(each, names)));
+    }
+    const fs::path gone = root / place;
+    files.erase(std::remove_if(files.begin(), files.end(),
+                               [&gone](const ZipSource& file) {
+                                 return file.file == gone || Contains(gone, file.file);
+                               }),
+                files.end());
+  }
+}
+
 int Export(const Arguments& arguments, const std::string& program) {
   const Environments environments;
   const auto environment = environments.Find(arguments.what);
@@ -169,6 +212,8 @@ int Export(const Arguments& arguments, const std::string& program) {
   }
   std::vector<ZipSource> files;
   Collect(root, root, name + "/", files);
+  LeaveOut(arguments.without, root, files);
+  AddSettings(root, name + "/", files);
   std::uint64_t bytes = 0;
   // An archive of earlier in the project's own folder does not belong into the next.
   files.erase(std::remove_if(files.begin(), files.end(),
@@ -203,9 +248,15 @@ void AddExportCommand(CommandLine& line) {
       ->required()
       ->type_name("NAME|DIR");
   command.add_option("-o,--out", arguments->out, "the archive  [NAME.zip]")->type_name("FILE.zip");
+  command
+      .add_option("--without", arguments->without,
+                  "a file or folder of the project that stays here; may be given more than once")
+      ->allow_extra_args(false)
+      ->type_name("NAME");
   command.footer(
       "Examples:\n"
       "  ccmorse export PAR_PLANNING -o planning.zip\n"
+      "  ccmorse export PAR_PLANNING --without solutions       what students get\n"
       "  ccmorse import planning.zip && ccmorse run PAR_PLANNING      on the other machine\n"
       "What was built, and records of runs, are left out (docs/command_line.md).");
 }

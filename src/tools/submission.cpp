@@ -255,7 +255,10 @@ Submission BuildSubmission(const std::string& path, const grade::Rubric& rubric,
   Submission submission;
   fs::path clean = fs::path(path).lexically_normal();
   if (clean.filename().empty()) clean = clean.parent_path();
-  submission.name = fs::absolute(clean).lexically_normal().filename().string();
+  // "." is the folder that it stands for, and ends with a slash when it is made absolute.
+  fs::path full = fs::absolute(clean).lexically_normal();
+  if (full.filename().empty()) full = full.parent_path();
+  submission.name = full.filename().string();
   submission.folder = folder;
   submission.program = folder + "/" + rubric.program;
   fs::create_directories(folder);

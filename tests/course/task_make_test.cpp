@@ -43,7 +43,7 @@ class TaskMakefile : public testing::TestWithParam<Pack> {
     return RunToEnd(
         {"sh", "-c",
          "cd '" + folder + "' && " + (flags.empty() ? "" : "LDFLAGS='" + flags + "' ") +
-             "make CCMORSE_DIR='" CCMORSE_SOURCE_DIR "' CCMORSE_LIBDIR='" CCMORSE_BINARY_DIR
+             "make -j2 CCMORSE_DIR='" CCMORSE_SOURCE_DIR "' CCMORSE_LIBDIR='" CCMORSE_BINARY_DIR
              "/lib' CXXFLAGS='-O0 -Wall -Wextra -Werror" +
              flags + "' " + arguments},
         std::chrono::seconds(100));
@@ -64,10 +64,15 @@ void ExpectPlatform(const std::string& program, const std::string& words) {
 
 }  // namespace
 
-TEST_P(T02, BuildsForTheSimulatorAndTheRealRobot) {
-  const std::string folder = root_.path() + "/" + GetParam().folder;
+// The template alone, somewhere else: with the settings copied along it needs nothing but CCMorse,
+// and makes both programs. CMake builds all of them with the project's warnings, too.
+TEST_P(T02, TemplateMayStandAloneAndBuildsForTheSimulatorAndTheRealRobot) {
+  const std::string folder = root_.path() + "/mine";
+  fs::copy(root_.path() + "/" + GetParam().folder, folder);
+  for (const char* file : {"task.mk", "ccmorse.mk"}) {
+    fs::copy(root_.path() + "/common/" + file, folder + "/" + file);
+  }
   const std::string program = folder + "/" + GetParam().program;
-  for (const char* file : {"obj-morse", "obj-syrotek"}) fs::remove_all(folder + "/" + file);
   fs::remove(program);
   fs::remove(program + "-syrotek");
   const Finished morse = Make(folder, "");
@@ -93,6 +98,30 @@ TEST_P(T02, BuildsForTheSimulatorAndTheRealRobot) {
   EXPECT_FALSE(fs::exists(program));
 }
 
+// In the course's folder, and by CCMORSE_DIR from anywhere, without any settings copied.
+TEST_P(T01, TemplateFindsTheSettings) {
+  const std::string folder = root_.path() + "/" + GetParam().folder;
+  const Finished beside = Make(folder, "-n");
+  EXPECT_EQ(beside.status, 0) << beside.output;
+  const std::string alone = root_.path() + "/mine";
+  fs::copy(folder, alone);
+  const Finished anywhere = Make(alone, "-n");
+  EXPECT_EQ(anywhere.status, 0) << anywhere.output;
+}
+
+class T15 : public TaskMakefile {};
+
+TEST_P(T15, SolutionBuilds) {
+  const std::string folder = root_.path() + "/" + GetParam().folder;
+  for (const char* left : {"/obj-morse", "/obj-syrotek"}) fs::remove_all(folder + left);
+  fs::remove(folder + "/" + GetParam().program);
+  const Finished made = Make(folder, "");
+  ASSERT_EQ(made.status, 0) << made.output;
+  ExpectPlatform(folder + "/" + GetParam().program, "morse server hostname [localhost]");
+  const Finished real = Make(folder, "-n MORSE=NO");
+  EXPECT_EQ(real.status, 0) << real.output;
+}
+
 // T15: two solutions of each of the course's tasks; and of each follow-up task one.
 const auto kTemplates = testing::Values(
     Pack{"par/intro/template", "intro"}, Pack{"par/planning/template", "planner"},
@@ -115,21 +144,54 @@ const auto kSolutions = testing::Values(
     Pack{"syrotek/two_robots/solutions/keep_right", "two_robots"});
 
 INSTANTIATE_TEST_SUITE_P(Templates, T02, kTemplates);
-INSTANTIATE_TEST_SUITE_P(Solutions, T02, kSolutions);
+INSTANTIATE_TEST_SUITE_P(Templates, T01, kTemplates);
+INSTANTIATE_TEST_SUITE_P(Solutions, T15, kSolutions);
 
-// The template alone, somewhere else: with the settings copied along it needs nothing but CCMorse.
-TEST_P(T01, TemplateMayStandAlone) {
-  const std::string folder = root_.path() + "/mine";
-  fs::copy(root_.path() + "/" + GetParam().folder, folder);
-  for (const char* file : {"task.mk", "ccmorse.mk"}) {
-    fs::copy(root_.path() + "/common/" + file, folder + "/" + file);
+// A teacher's zip, unpacked where there is ccmorse and nothing of the course: `make` works in the
+// template and, where they came along, in the solutions.
+class G11 : public TaskMakefile {};
+
+TEST_P(G11, ATasksZipHasWhatMakeNeedsAndSolutionsOnlyIfWanted) {
+  const std::string task = fs::path(root_.path() + "/" + GetParam().folder).parent_path();
+  const std::string name = fs::path(task).filename();
+  const auto ccmorse = [&](const std::string& words) {
+    return RunToEnd({"sh", "-c",
+                     "cd '" + root_.path() + "' && HOME='" + root_.path() + "' '" +
+                         ccmorse::testing::BuiltProgram("ccmorse") + "' " + words});
+  };
+  const Finished all = ccmorse("export '" + task + "' -o all.zip");
+  ASSERT_EQ(all.status, 0) << all.output;
+  const Finished some = ccmorse("export '" + task + "' -o some.zip --without solutions/");
+  ASSERT_EQ(some.status, 0) << some.output;
+  const Finished wrong = ccmorse("export '" + task + "' -o none.zip --without solution");
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_NE(wrong.output.find("did you mean 'solutions'"), std::string::npos) << wrong.output;
+  EXPECT_FALSE(fs::exists(root_.path() + "/none.zip"));
+  for (const char* course : {"common", "par", "syrotek"}) {
+    fs::remove_all(root_.path() + "/" + course);
   }
-  const Finished made = Make(folder, "");
-  ASSERT_EQ(made.status, 0) << made.output;
-  ExpectPlatform(folder + "/" + GetParam().program, "morse server hostname [localhost]");
+  // The folder's name must not matter either.
+  const std::string there = root_.path() + "/there/a/b";
+  fs::create_directories(there);
+  ASSERT_EQ(ccmorse("import all.zip colleagues --to '" + there + "/all'").status, 0);
+  ASSERT_EQ(ccmorse("import some.zip students --to '" + there + "/some'").status, 0);
+  EXPECT_TRUE(fs::exists(there + "/all/solutions"));
+  EXPECT_FALSE(fs::exists(there + "/some/solutions"));
+  for (const char* file : {"task.mk", "ccmorse.mk", "scenario.json", "rubric.json"}) {
+    EXPECT_TRUE(fs::is_regular_file(there + "/some/" + file)) << file;
+  }
+  const Finished made = Make(there + "/some/template", "");
+  EXPECT_EQ(made.status, 0) << made.output;
+  EXPECT_TRUE(fs::exists(there + "/some/template/" + GetParam().program));
+  for (const auto& solution : fs::directory_iterator(there + "/all/solutions")) {
+    const Finished planned = Make(solution.path(), "-n");
+    EXPECT_EQ(planned.status, 0) << planned.output;
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(Templates, T01, kTemplates);
+INSTANTIATE_TEST_SUITE_P(Tasks, G11,
+                         testing::Values(Pack{"par/intro/template", "intro"},
+                                         Pack{"syrotek/pid/template", "pid"}));
 
 // Where students' own copies look for the settings since before there was courses/common.
 TEST(CourseSettings, AreStillFoundInEachCourse) {

@@ -61,6 +61,7 @@ class CExploration : public imr::concurrent::CThread {
   std::vector<std::uint8_t> free;  // 1: seen, free and not dilated
   std::vector<double> cost;        // cells to go; infinite where there is no way
   std::vector<int> previous;       // index of the cell before on the way; -1 at the start
+  int without = 0;                 // plans in a row without a frontier that can be reached
 };
 
 }  // namespace imr

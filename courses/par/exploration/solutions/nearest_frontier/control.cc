@@ -15,8 +15,9 @@ void CControl::updateMap() {
   for (unsigned i = 0; i < laser->GetCount(); ++i) {
     const double range = laser->GetRange(i);
     const bool hit = range < laser->GetMaxRange();
-    // A little into what was hit: surfaces lie on the lines between cells.
-    const double length = hit ? range + map.getCellSize() / 4 : range;
+    // Half a cell into what was hit: surfaces lie on the lines between cells, and noise of a
+    // quarter of a cell must not move them to the cell before.
+    const double length = hit ? range + map.getCellSize() / 2 : range;
     const double angle = position.yaw + laser->GetBearing(i);
     map.updateCells(map.getX(x), map.getY(y), map.getX(x + length * std::cos(angle)),
                     map.getY(y + length * std::sin(angle)),

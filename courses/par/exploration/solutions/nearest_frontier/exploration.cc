@@ -18,6 +18,8 @@ constexpr double kFree = 0.4;    // less: seen, and free
 constexpr double kWall = 0.6;    // more: an obstacle
 constexpr int kFewestCells = 2;  // of a frontier: the narrowest way through a gate is as wide
 
+constexpr int kLooks = 5;  // a second each; a turn on the spot takes three
+
 constexpr std::array<SCell, 8> kAround = {SCell{1, 0}, SCell{0, 1},  SCell{-1, 0},  SCell{0, -1},
                                           SCell{1, 1}, SCell{-1, 1}, SCell{-1, -1}, SCell{1, -1}};
 
@@ -31,9 +33,12 @@ SPlan CExploration::plan(const CMapGrid& seen, const SPosition& position) {
   dijkstra(freeCellNear({map.getX(position.x), map.getY(position.y)}));
   const int chosen = chooseFrontier(made.frontiers);
   if (chosen < 0) {
-    made.done = true;
+    // Noise may close a narrow way for a moment: before it is done, the robot looks around, which
+    // it does without a path.
+    made.done = ++without >= kLooks;
     return made;
   }
+  without = 0;
   const SCell goal = made.frontiers[static_cast<std::size_t>(chosen)];
   std::vector<SCell> path;
   for (int node = static_cast<int>(at(goal.x, goal.y)); node != -1;

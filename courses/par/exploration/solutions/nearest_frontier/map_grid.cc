@@ -8,10 +8,11 @@
 
 namespace imr {
 
-// A hit is worth more than a beam that went by: lines of cells graze walls where beams do not.
+// A hit is worth more than a beam that went by: lines of cells graze walls where beams do not. A
+// few hits make a free cell a wall, not one: it may be noise.
 void CMapGrid::updateCell(int x, int y, double occupied) {
   if (!contains(x, y)) return;
-  const double step = occupied > UNKNOWN ? 0.4 : -0.04;
+  const double step = occupied > UNKNOWN ? 0.25 : -0.05;
   setCell(x, y, std::clamp(getCell(x, y) + step, EMPTY, OCCUPIED));
 }
 
@@ -23,9 +24,9 @@ void CMapGrid::updateCells(int rx, int ry, int cx, int cy, double dist) {
   const int stepY = ry < cy ? 1 : -1;
   int error = dx + dy;
   for (int x = rx, y = ry; x != cx || y != cy;) {
-    // Beside the end of a hit, the line of cells may be in the wall where the beam is not.
-    const bool atWall = std::isfinite(dist) && std::max(std::abs(cx - x), std::abs(cy - y)) < 2;
-    if (!atWall) updateCell(x, y, EMPTY);
+    // Up to the cell of the hit: noise sets cells before a wall, and only the beams that cross them
+    // on their way to the wall clear them again. Else walls grow until no robot fits between them.
+    updateCell(x, y, EMPTY);
     const int twice = 2 * error;
     if (twice >= dy) {
       error += dy;
