@@ -9,9 +9,9 @@ namespace ccmorse::tools {
 
 /// What `ccmorse run` was asked for; what is not set comes from the scenario.
 struct RunArguments {
-  std::string scenario;              ///< name or path
-  std::string name;                  ///< of the environment that it belongs to, or ""
-  bool headless = false;             ///< no live view
+  std::string scenario;   ///< name or path
+  std::string name;       ///< of the environment that it belongs to, or ""
+  bool headless = false;  ///< no live view
   /// Of a builder script, in its sys.argv behind "--".
   std::vector<std::string> script_arguments;
   std::optional<std::string> pace;   ///< "real", "lockstep" or "max"
