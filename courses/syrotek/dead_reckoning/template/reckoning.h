@@ -25,6 +25,7 @@ class CReckoning {
 
  private:
   imr::SPose pose;
-  double wayFactor = 1.0;   // m driven for 1 m counted
-  double turnFactor = 1.0;  // rad turned for 1 rad counted
+  // Both are for you to use.
+  [[maybe_unused]] double wayFactor = 1.0;   // m driven for 1 m counted
+  [[maybe_unused]] double turnFactor = 1.0;  // rad turned for 1 rad counted
 };
