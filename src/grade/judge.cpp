@@ -441,8 +441,9 @@ CriterionResult JudgeCriterion(const Criterion& criterion, Measures& measures) {
                                   needed.value ? fmt::format("{:.3g}", *needed.value) : "none");
     }
   }
-  if (result.points < criterion.weight * 0.999 && !criterion.hint.empty()) {
-    result.reason += (result.reason.empty() ? "" : "; ") + criterion.hint;
+  // The hint is about what was measured, and would contradict why nothing was.
+  if (result.reason.empty() && result.points < criterion.weight * 0.999) {
+    result.reason = criterion.hint;
   }
   return result;
 }
