@@ -40,6 +40,7 @@ struct Reader {
       good = false;
       return;
     }
+    if (bytes == 0) return;  // into an empty vector: there is no place to copy to
     std::memcpy(to, at, bytes);
     at += bytes;
   }
