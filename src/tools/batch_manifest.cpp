@@ -1,14 +1,11 @@
 #include "tools/batch_manifest.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <map>
-#include <sstream>
 #include <utility>
 
 #include "base/error.h"
@@ -16,6 +13,7 @@
 #include "scene/field.h"
 #include "scene/player/import.h"
 #include "scene/scenario.h"
+#include "tools/child_process.h"
 
 namespace ccmorse::tools {
 namespace {
@@ -246,22 +244,11 @@ std::vector<BatchJob> ReadManifest(const Json& json, const std::string& file) {
   return jobs;
 }
 
-bool IsProgram(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
-}
-
 // A path starts at the manifest's folder; a mere name may also be a command of $PATH.
 std::string FindProgram(const std::string& program, const fs::path& folder) {
   if (IsProgram(folder / program)) return (folder / program).lexically_normal().string();
   if (program.find('/') != std::string::npos) return "";
-  const char* const path = std::getenv("PATH");
-  std::istringstream places(path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin");
-  for (std::string place; std::getline(places, place, ':');) {
-    if (place.empty() || !IsProgram(fs::path(place) / program)) continue;
-    return fs::absolute(fs::path(place) / program).string();
-  }
-  return "";
+  return FindInPath(program);
 }
 
 // The scenario's file and its own seed.

@@ -109,14 +109,7 @@ class Writer {
 };
 
 std::string FindPython() {
-  const char* const path = std::getenv("PATH");
-  std::string folders = path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin";
-  for (std::size_t start = 0; start <= folders.size();) {
-    const std::size_t end = std::min(folders.find(':', start), folders.size());
-    const std::string candidate = folders.substr(start, end - start) + "/python3";
-    if (::access(candidate.c_str(), X_OK) == 0) return candidate;
-    start = end + 1;
-  }
+  if (std::string found = FindInPath("python3"); !found.empty()) return found;
   throw Error("builder scripts need python3, which is nowhere in PATH; install it");
 }
 

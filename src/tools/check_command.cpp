@@ -9,10 +9,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -21,6 +19,7 @@
 #include "scene/scenario.h"
 #include "scene/world_folders.h"
 #include "servers/web/web_server.h"
+#include "tools/child_process.h"
 #include "tools/command_line.h"
 #include "tools/environments.h"
 #include "tools/scene_choice.h"
@@ -64,19 +63,6 @@ bool IsFree(std::uint16_t port) {
   return free;
 }
 
-bool IsInPath(const std::string& program) {
-  const char* const path = std::getenv("PATH");
-  if (path == nullptr) return false;
-  const std::string_view all = path;
-  for (std::size_t begin = 0; begin <= all.size();) {
-    const std::size_t end = std::min(all.find(':', begin), all.size());
-    const fs::path file = fs::path(all.substr(begin, end - begin)) / program;
-    if (::access(file.c_str(), X_OK) == 0) return true;
-    begin = end + 1;
-  }
-  return false;
-}
-
 void CheckParts(Findings& findings) {
   const std::vector<std::string> scenarios = scene::ListScenarios();
   if (scenarios.empty()) {
@@ -113,7 +99,7 @@ void CheckPrograms() {
                               {"make", "the course's Makefiles"},
                               {"python3", "MORSE's builder scripts and clients"},
                               {"bwrap", "grading programs of others (Debian's bubblewrap)"}}) {
-    if (IsInPath(each.name)) {
+    if (!FindInPath(each.name).empty()) {
       Findings::Good(fmt::format("{} is there, for {}", each.name, each.what_for));
     } else {
       Findings::Note(fmt::format("there is no {}, for {}", each.name, each.what_for));

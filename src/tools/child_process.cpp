@@ -10,8 +10,12 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <set>
+#include <sstream>
+#include <system_error>
 
 #include "base/error.h"
 
@@ -248,6 +252,21 @@ FinishedProcess RunToEnd(const std::vector<std::string>& command) {
   }
   finished.status = *process.Status();
   return finished;
+}
+
+bool IsProgram(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored) && ::access(path.c_str(), X_OK) == 0;
+}
+
+std::string FindInPath(const std::string& program) {
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::string file = folder + "/" + program;
+    if (!folder.empty() && IsProgram(file)) return std::filesystem::absolute(file).string();
+  }
+  return "";
 }
 
 }  // namespace ccmorse::tools

@@ -61,6 +61,13 @@ class ChildProcess {
   std::optional<ExitStatus> status_;
 };
 
+/// Is this a file that may be executed?
+bool IsProgram(const std::string& path);
+
+/// The absolute path of a program of this name, by $PATH; "" where there is none. Without $PATH the
+/// system's usual folders are looked in; empty entries of it, which mean the current folder, never.
+std::string FindInPath(const std::string& program);
+
 /// A process that has ended, and all that it printed.
 struct FinishedProcess {
   ExitStatus status;

@@ -8,10 +8,8 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <sstream>
 
 #include "base/error.h"
 
@@ -23,12 +21,7 @@ namespace fs = std::filesystem;
 constexpr const char* kInside = "/ccmorse/bin/ccmorse";  // this program, within
 
 std::string FindBubblewrap() {
-  const char* const path = std::getenv("PATH");
-  std::istringstream folders(path != nullptr ? path : "/usr/bin:/bin");
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::string file = folder + "/bwrap";
-    if (!folder.empty() && ::access(file.c_str(), X_OK) == 0) return file;
-  }
+  if (std::string found = FindInPath("bwrap"); !found.empty()) return found;
   throw Error(
       "programs are graded in a sandbox, and bubblewrap (the program bwrap) is not installed: "
       "apt-get install bubblewrap. With --no-sandbox they run unprotected");
