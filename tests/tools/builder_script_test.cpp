@@ -82,6 +82,8 @@ TEST(BuilderScript, WhatItLeavesRunningKeepsNobodyWaiting) {
 from morse.builder import *
 env = Environment('empty')
 if os.fork() == 0:
+    os.close(1)  # the tests' own output, whose reader would wait for it; the scene's pipe stays open
+    os.close(2)
     time.sleep(60)
     os._exit(0)
 )");
