@@ -48,6 +48,7 @@ Simulator::Simulator(const std::string& ccmorse, const std::string& scenario,
   child_ = ::fork();
   if (child_ < 0) throw std::runtime_error("cannot start the simulator");
   if (child_ == 0) {
+    ::setsid();  // as from another terminal, which Linux schedules as another group
     ::dup2(ends[1], STDOUT_FILENO);
     ::close(ends[0]);
     ::close(ends[1]);

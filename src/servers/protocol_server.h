@@ -25,6 +25,9 @@ class ProtocolServer {
   /// Lock-step: has each of them asked for its next data, which are not there yet? True where
   /// there are none.
   virtual bool ReadersAreWaiting() const = 0;
+  /// Does any of them wait for data that will be there, as far as is known, after the next
+  /// Simulation::Sense()?
+  virtual bool AwaitsNext() const = 0;
   /// Is any client connected?
   virtual bool HasClients() const = 0;
   /// Since when the one waits that has waited longest; nothing where none does.

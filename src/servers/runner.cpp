@@ -17,10 +17,14 @@ namespace {
 constexpr auto kFarewell = std::chrono::seconds(2);          // for clients, once the run is over
 constexpr auto kGiveUpCatchingUp = std::chrono::seconds(1);  // real time: how far behind is too far
 constexpr auto kStayAwake = std::chrono::microseconds(100);  // in lock-step, for the next request
-// In real time, before data are due: waking from sleep takes tens of microseconds, and where
-// somebody waits for the data the thread is to be awake then.
-constexpr auto kWakeEarly = std::chrono::microseconds(200);
-constexpr auto kWarmEarly = std::chrono::microseconds(100);
+// In real time, before data are due that somebody waits for. Processors that have slept are slow
+// for some milliseconds: they are kept awake until whoever waits has woken by itself, but for no
+// more than this share of the time. Waking takes tens of microseconds more, and so do the sensors:
+// the tick is worked out early, and what they show is sent when it is due.
+constexpr auto kRouseEarly = std::chrono::microseconds(5000);
+constexpr int kRouseShare = 10;  // 1 in so many
+constexpr auto kRoused = std::chrono::microseconds(100);
+constexpr auto kWakeEarly = std::chrono::microseconds(400);
 constexpr int kHandlersPerTick = 64;  // at full speed, so that no flood of requests stops time
 
 }  // namespace
@@ -129,6 +133,11 @@ bool Runner::HasReaders() const {
                      [](const auto* s) { return s->HasReaders(); });
 }
 
+bool Runner::AwaitsNext() const {
+  return std::any_of(servers_.begin(), servers_.end(),
+                     [](const auto* s) { return s->AwaitsNext(); });
+}
+
 bool Runner::HasClients() const {
   return std::any_of(servers_.begin(), servers_.end(),
                      [](const auto* s) { return s->HasClients(); });
@@ -196,6 +205,7 @@ RunSummary Runner::Run() {
   while (!Over()) {
     simulation_.Sense();
     sensed = true;
+    WaitToPublish();
     for (RunWatcher* watcher : watchers_) watcher->Sensed();
     for (ProtocolServer* server : servers_) server->Sensed();
     WaitForTurn();
@@ -228,6 +238,7 @@ void Runner::WaitForTurn() {
   do {
     WaitWhilePaused();
     speed_changed_ = false;
+    publish_at_.reset();
     WaitForPace();
   } while (!stop_ && (held() || speed_changed_ ||
                       (options_.pace == Pace::kLockstep && !ClientsAreWaiting())));
@@ -271,13 +282,24 @@ void Runner::WaitForPace() {
     GoOnFromHere();
   }
   if (HasReaders()) {
+    SleepUntil(due - std::min<WallClock::duration>(kRouseEarly, (due - published_) / kRouseShare));
+    if (AwaitsNext()) idle_spinners_.SpinUntil(due - kRoused);
     SleepUntil(due - kWakeEarly);
-    StayAwakeUntil(due - kWarmEarly);
-    if (WallClock::now() < due) warm_path_.Warm();
-  } else {
-    SleepUntil(due);
+    if (AwaitsNext()) {
+      publish_at_ = due;
+      return;
+    }
   }
+  SleepUntil(due);
   StayAwakeUntil(due);
+}
+
+void Runner::WaitToPublish() {
+  if (!publish_at_) return;
+  if (WallClock::now() < *publish_at_) warm_path_.Warm();
+  while (WallClock::now() < *publish_at_) {
+  }
+  published_ = *publish_at_;
 }
 
 void Runner::StayAwakeUntil(WallClock::time_point time) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/wakefulness.h"
+#include "servers/idle_spinners.h"
 #include "servers/morse/morse_server.h"
 #include "servers/morse/service_directory.h"
 #include "servers/net/warm_path.h"
@@ -94,6 +95,7 @@ class Runner {
 
   RunControl Control();
   bool HasReaders() const;
+  bool AwaitsNext() const;
   bool HasClients() const;
   // Lock-step: has every client that reads asked for its next data, is there one at all, and have
   // as many as the options say ever come? So a run of several programs starts when the last has
@@ -115,6 +117,8 @@ class Runner {
   void ServeWhatIsThere();
   void WaitForClients();
   void SleepUntil(WallClock::time_point time);  // and serve meanwhile
+  // Until the data are due that somebody waits for and that were worked out a moment earlier.
+  void WaitToPublish();
   void StayAwakeUntil(WallClock::time_point time);
   void CountTick();
   void LetClientsFinish();
@@ -135,6 +139,7 @@ class Runner {
   boost::asio::steady_timer bell_{io_};
   bool bell_rang_ = false;
   WarmPath warm_path_;
+  IdleSpinners idle_spinners_;
   std::optional<boost::asio::steady_timer> patience_;  // runs since StopAfterClients()
   WallClock::time_point start_;                        // of the first step
   double speed_;                // simulated seconds per wall second; infinity: no limit
@@ -145,6 +150,9 @@ class Runner {
   WallClock::duration paused_for_{};
   WallClock::time_point pace_base_;  // when pace_tick_ was or will be due
   std::uint64_t pace_tick_ = 0;
+  // When what the next Sense() shows is due, where somebody waits for it; and when it last was.
+  std::optional<WallClock::time_point> publish_at_;
+  WallClock::time_point published_{};
   WallClock::time_point last_tick_;
   double ticks_measured_ = 0.0;  // running mean and variance of the wall time of a tick
   double mean_ = 0.0;            // s

@@ -846,6 +846,12 @@ bool MorseServer::HasReaders() const {
                      [](const auto& c) { return c->reads(); });
 }
 
+bool MorseServer::AwaitsNext() const {
+  const std::uint64_t next = shared_->sensed_tick + 1;
+  return std::any_of(shared_->connections.begin(), shared_->connections.end(),
+                     [next](const auto& c) { return c->waits() && c->read_tick() <= next; });
+}
+
 bool MorseServer::HasClients() const {
   return !shared_->connections.empty() || shared_->stream_clients > 0;
 }

@@ -76,6 +76,7 @@ class MorseServer : public ProtocolServer {
   int ReadersEver() const override;
   bool HasReaders() const override;
   bool ReadersAreWaiting() const override;
+  bool AwaitsNext() const override;
   /// Is any client connected, to the services or to a stream?
   bool HasClients() const override;
   std::optional<TimePoint> WaitingSince() const override;

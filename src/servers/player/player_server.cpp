@@ -162,6 +162,9 @@ class PlayerServer::Connection : public std::enable_shared_from_this<Connection>
 
   bool reads() const { return session_ != nullptr && session_->reads(); }
   bool waits() const { return session_ != nullptr && session_->waits(); }
+  bool AwaitsDataAt(double time) const {
+    return session_ != nullptr && session_->AwaitsDataAt(time);
+  }
   Clock::time_point waits_since() const { return waits_since_; }
   Clock::time_point heard() const { return heard_; }
   const std::string& name() const { return name_; }
@@ -403,6 +406,13 @@ bool PlayerServer::HasReaders() const {
 bool PlayerServer::ReadersAreWaiting() const {
   return std::all_of(shared_->connections.begin(), shared_->connections.end(),
                      [](const auto& c) { return !c->reads() || c->waits(); });
+}
+
+bool PlayerServer::AwaitsNext() const {
+  const auto& simulation = shared_->simulation;
+  const double next = simulation.time() + 1.0 / simulation.scenario().time.frequency;
+  return std::any_of(shared_->connections.begin(), shared_->connections.end(),
+                     [next](const auto& c) { return c->AwaitsDataAt(next); });
 }
 
 bool PlayerServer::HasClients() const { return !shared_->connections.empty(); }

@@ -81,6 +81,7 @@ class PlayerServer : public ProtocolServer {
   int ReadersEver() const override;
   bool HasReaders() const override;
   bool ReadersAreWaiting() const override;
+  bool AwaitsNext() const override;
   bool HasClients() const override;
   std::optional<TimePoint> WaitingSince() const override;
   std::optional<TimePoint> LetHangingGo(TimePoint waiting_since,

@@ -177,7 +177,16 @@ PlayerSession::Rule PlayerSession::RuleFor(const wire::Header& header) const {
   return Rule::kAccept;
 }
 
+bool PlayerSession::AwaitsDataAt(double time) const {
+  constexpr double kRounding = 1e-6;
+  return waits() && time > newest_ + spacing_ - kRounding;
+}
+
 void PlayerSession::Data(const DataMessage& message) {
+  if (const double now = now_(); now > newest_) {
+    spacing_ = now - newest_;
+    newest_ = now;
+  }
   wire::Header header;
   header.address = AddressOf(message.device());
   header.type = MessageType::kData;

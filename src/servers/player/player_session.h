@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -53,6 +54,9 @@ class PlayerSession : public Subscriber {
   bool reads() const { return reads_; }
   /// It has, and there are none yet.
   bool waits() const { return asked_ && queue_.empty(); }
+  /// It waits, and by simulated time `time`, s, data will be there if they go on to come at the
+  /// distance of the last two.
+  bool AwaitsDataAt(double time) const;
 
   /// Is there anything that Deliver() would send?
   bool pending() const { return replies_ > 0 || (!queue_.empty() && (!pull_ || asked_)); }
@@ -108,6 +112,9 @@ class PlayerSession : public Subscriber {
   bool asked_ = false;
   bool sent_data_ = false;  // since it asked
   bool reads_ = false;
+  // When data came, simulated, s: last, and how long after the time before.
+  double newest_ = -std::numeric_limits<double>::infinity();
+  double spacing_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace ccmorse::servers::player
