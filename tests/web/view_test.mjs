@@ -625,6 +625,23 @@ view("thirteen robots are drawn ten times a second without a graphics card", "do
   assert.ok(best >= 10, `${best} pictures a second`);
 });
 
+// The requirement: the first paint within a second; and the first picture of the scene is not far.
+view("the page paints within a second", "docks", async (page, context) => {
+  let best = Infinity;
+  for (let i = 0; i < 20 && best >= 1000; ++i) { // other programs may take the processor for a while
+    await page.reload();
+    await page.waitForFunction(() => window.ccmorse?.frame() !== null);
+    const paints = () => page.evaluate(() =>
+      performance.getEntriesByName("first-contentful-paint").map((entry) => entry.startTime));
+    await page.waitForFunction(() =>
+      performance.getEntriesByName("first-contentful-paint").length > 0);
+    best = Math.min(best, ...await paints());
+  }
+  const picture = await page.evaluate(() => performance.now());
+  context.diagnostic(`first paint after ${best.toFixed(0)} ms, all there within ${picture.toFixed(0)} ms`);
+  assert.ok(best < 1000, `${best} ms`);
+});
+
 test("a lost connection is said, and the page comes back by itself", async (context) => {
   const first = new Simulator("syrotek");
   context.after(() => first.stop());
