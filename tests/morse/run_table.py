@@ -28,9 +28,10 @@ ENTRIES = {"components.csv": builder_rows.check_component_entry,
            "properties.csv": builder_rows.check_property_entry,
            "presets.csv": builder_rows.check_preset_entry,
            "modifiers.csv": builder_rows.check_modifier_entry}
-# In this order, as calls and messages change what is seen at the start.
-RUNS = ("components.csv", "modifiers.csv", "fields.csv", "properties.csv", "presets.csv",
-        "services.csv")
+# In this order: messages to the fields of actuators have time go on, which services do without.
+RUNS = ("components.csv", "modifiers.csv", "properties.csv", "presets.csv", "services.csv",
+        "fields.csv")
+QUIT = "service.simulation.quit"  # comes last
 OF_NO_COMPONENT = ("*", "simulation", "time", "communication", "Victim", "Human", "BasePR2")
 
 
@@ -70,15 +71,29 @@ def run(tables, ccmorse):
                    "fields.csv": runs.field, "properties.csv": runs.property,
                    "presets.csv": runs.preset, "services.csv": runs.service}
         for table in RUNS:
-            todo = tables[table]
-            if table == "services.csv":  # the end of the simulation comes last
-                todo = sorted(todo, key=lambda row: row["service"] == "quit")
-            for row in todo:
-                if not results.get(row["id"], "").startswith("FAIL"):
+            for row in tables[table]:
+                if row["id"] != QUIT and not results.get(row["id"], "").startswith("FAIL"):
                     attempt(results, row, methods[table])
+        quits = [row for row in tables["services.csv"] if row["id"] == QUIT]
+        attempt(results, quits[0], runs.service)
     finally:
         runs.close()
     return results
+
+
+def forgive(results):
+    """Lets rows pass that pending.csv has, and complains of those there that need it no longer."""
+    done = []
+    for name, reason in rows.pending().items():
+        if name not in results:
+            done.append("%s (there is no such row)" % name)
+        elif results[name].startswith("FAIL"):
+            results[name] = "pass (pending)"
+        else:
+            done.append(name)
+    results["nothing_pending_is_done"] = "pass (table)" if not done else (
+        "FAIL: these pass now, take their lines out of tests/morse/table/pending.csv: " +
+        ", ".join(done))
 
 
 def main():
@@ -88,19 +103,20 @@ def main():
     options = parser.parse_args()
     tables = rows.all_rows()
     results = run(tables, os.environ["CCMORSE"])
+    forgive(results)
     kinds, wrong = collections.Counter(), 0
     text = []
-    for table in tables.values():
-        for row in table:
-            line = "[%s] %s" % (row["id"], results[row["id"]])
-            if options.words and not any(word in row["id"] for word in options.words):
-                continue
-            text.append(line + "\n")
-            bad = results[row["id"]].startswith("FAIL")
-            wrong += bad
-            kinds[row["id"].split(".")[0], "FAIL" if bad else results[row["id"]][6:-1]] += 1
-            if bad and not options.out:
-                print(line)
+    for name in [row["id"] for table in tables.values() for row in table] + [
+            "nothing_pending_is_done"]:
+        if options.words and not any(word in name for word in options.words):
+            continue
+        line = "[%s] %s" % (name, results[name])
+        text.append(line + "\n")
+        bad = results[name].startswith("FAIL")
+        wrong += bad
+        kinds[name.split(".")[0], "FAIL" if bad else results[name][6:-1]] += 1
+        if bad and not options.out:
+            print(line)
     if options.out:
         with open(options.out, "w", encoding="utf-8") as file:
             file.writelines(text)

@@ -35,6 +35,12 @@ def load(table):
     return rows
 
 
+def pending():
+    """Id -> reason of the rows that are known to fail."""
+    with open(os.path.join(HERE, "pending.csv"), encoding="utf-8", newline="") as file:
+        return {row["row"]: row["reason"] for row in csv.DictReader(file)}
+
+
 def all_rows():
     """Table -> its rows."""
     return {table: load(table) for table in TABLES}

@@ -285,6 +285,8 @@ class Runs:
                 keys = ["timestamp"] + [one["field"] for one in self.fields.get(
                     row["component"], []) if one["at_start"] != "-" and
                     level in (one["levels"].split() or [level])]
+                if "stall" in row["note"] and level == "integrated":
+                    keys.append("stall")
                 check(list(self.first[name]) == keys, "its data are %s, not %s",
                       list(self.first[name]), keys)
         return status
@@ -517,10 +519,12 @@ class Runs:
             return "simulated"
         self.arity(row, name)
         answer = row["answer"].replace("{component}", name)
-        asked = self.simulation.start(name, row["service"], row["arguments"])
+        place = json.dumps(self.objects.get(name, self.objects["robot"])[1])
+        arguments = row["arguments"].replace("{place}", place)
+        asked = self.simulation.start(name, row["service"], arguments)
         if answer == "pending":
             return self.asynchronous(row, name, asked)
-        if row["kind"].startswith("async") and self.is_pending(asked):
+        if row["kind"].startswith("async") and self.simulation.is_pending(asked):
             self.simulation.cancel(asked)
             self.simulation.settle()
             return "simulated"
@@ -538,12 +542,13 @@ class Runs:
         return "simulated"
 
     def asynchronous(self, row, name, asked):
-        check(self.is_pending(asked), "answered at once: %s", self.simulation.answers.get(asked))
+        check(self.simulation.is_pending(asked), "answered at once: %s",
+              self.simulation.answers.get(asked))
         again = self.simulation.start(name, row["service"], row["arguments"])
         if row["kind"].endswith("interruptible"):
             status, _ = self.simulation.wait(asked)
             check(status == "PREEMPTED", "a second call answers the first one %s", status)
-            check(self.is_pending(again), "the second call is answered at once")
+            check(self.simulation.is_pending(again), "the second call is answered at once")
             self.simulation.cancel(again)
             status, _ = self.simulation.wait(again)
             check(status == "PREEMPTED", "cancel answers it %s", status)
@@ -554,7 +559,7 @@ class Runs:
                   value)
             self.simulation.cancel(asked)
             if name == "time":
-                check(self.is_pending(asked), "cancel ends it")
+                check(self.simulation.is_pending(asked), "cancel ends it")
         return "simulated"
 
     # Modifiers
