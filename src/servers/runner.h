@@ -93,6 +93,7 @@ class Runner {
   using WallClock = std::chrono::steady_clock;
 
   RunControl Control();
+  bool KeepsStep() const;  // FixedSimulationStep
   bool HasReaders() const;
   bool HasClients() const;
   // Lock-step: has every client that reads asked for its next data, is there one at all, and have

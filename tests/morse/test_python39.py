@@ -80,6 +80,13 @@ def programs():
                     yield os.path.join(folder, file)
 
 
+def _has_python39():
+    found = shutil.which("python3.9")  # which may be there and start none
+    return found is not None and subprocess.run(
+        [found, "-c", ""], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        check=False).returncode == 0
+
+
 class Python39(unittest.TestCase):
     def test_nothing_is_newer_than_3_9(self):
         count = 0
@@ -98,7 +105,7 @@ class Python39(unittest.TestCase):
         self.assertEqual(too_new("if (n := 3) > 2: print(f'{n=}', {**{}} | {}, 'x'.removeprefix)"),
                          [])
 
-    @unittest.skipUnless(shutil.which("python3.9"), "no python3.9 here")
+    @unittest.skipUnless(_has_python39(), "no python3.9 here")
     def test_python_3_9_itself(self):
         result = subprocess.run(
             ["python3.9", "-B", "-m", "morse.builder.run",

@@ -47,7 +47,10 @@ class Run(test_run.Run):
 
     def __enter__(self):
         super().__enter__()
-        assert self.morse.rpc("time", "mode") == STRATEGIES[self.strategy]
+        mode = self.morse.rpc("time", "mode")
+        if mode != STRATEGIES[self.strategy]:
+            self.__exit__()
+            raise AssertionError("the simulation's mode is %s" % mode)
         return self
 
     def close(self):
@@ -184,8 +187,9 @@ class BestEffort(unittest.TestCase):
 
     def test_c3_a_ghost_is_neither_seen_nor_touched(self):
         with self.run_script("ghosts.py") as run:
-            ahead = run.read("robot.sick")["range_list"][90]
-            self.assertAlmostEqual(ahead, 8.0 - 0.267, delta=0.01)  # the B21 behind it
+            ranges = run.read("robot.sick")["range_list"]
+            self.assertAlmostEqual(ranges[90], 8.0 - 0.267, delta=0.01)  # beside the ghost
+            self.assertEqual(ranges[97], 20.0)  # where it stands
             run.drive("robot.motion", 4.0, 0.0, 2.5)
             pose = run.read("robot.pose")
             # Through the ghost and up to the B21, round and 0.534 m wide.

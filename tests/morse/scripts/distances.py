@@ -1,11 +1,11 @@
 from morse.builder import *
 
-seer = ATRV()
-seen = ATRV()
+seer = Pioneer3DX()
+seen = Pioneer3DX()
 seen.translate(x=6.0)
-hidden = ATRV()
+hidden = Pioneer3DX()
 hidden.translate(x=12.0)
-aside = ATRV()
+aside = Pioneer3DX()
 aside.translate(y=8.0)
 pose = Pose()
 seer.append(pose)

@@ -12,7 +12,7 @@ robot.append(pose)
 robot.add_default_interface('socket')
 
 ghost = ATRV()
-ghost.translate(x=3.0)
+ghost.translate(x=3.0, y=0.4)  # its right half lies in the way
 ghost.make_ghost()
 
 wall = B21()

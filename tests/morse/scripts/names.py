@@ -1,7 +1,7 @@
 from morse.builder import *
 
 class Survey():
-    def __init__(self):
+    def set_up(self):
         first = ATRV()
         first.name = 'renamed'
         second = ATRV('given')
@@ -18,4 +18,4 @@ class Survey():
         del robot
         env = Environment('empty', fastmode=True)
 
-Survey()
+Survey().set_up()

@@ -15,7 +15,7 @@ proximity.properties(Track='Found')
 robot.append(proximity)
 proximity.add_interface('socket')
 
-other = ATRV('other')
+other = RMax('other')
 other.translate(x=4.0, y=6.0, z=3.0)
 bpymorse.properties(bpymorse.get_object('other'), Found=True)
 
