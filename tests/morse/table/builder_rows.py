@@ -300,6 +300,29 @@ def check_service_entry(row):
           service["interruptible"])
 
 
+def missing_rows(tables):
+    """What components.json has and the tables have not: [text]."""
+    def known(table, *columns):
+        return {tuple(row[column] for column in columns) for row in tables[table]}
+
+    rows = {"fields": known("fields.csv", "component", "field"),
+            "properties": known("properties.csv", "component", "property"),
+            "presets": known("presets.csv", "component", "property"),
+            "services": known("services.csv", "component", "service"),
+            "modifiers": known("modifiers.csv", "component", "modifier")}
+    found = []
+    for name, entry in data.COMPONENTS.items():
+        if name == "DepthVideoCamera":  # no class of MORSE's lists: what a Kinect is made of
+            continue
+        if (name,) not in known("components.csv", "component"):
+            found.append(name)
+        for key, those in rows.items():
+            names = [item["name"] if isinstance(item, dict) else item for item in entry[key]]
+            found += ["%s of %s: %s" % (key, name, item) for item in names
+                      if (name, item) not in those]
+    return found
+
+
 def check_modifier_entry(row):
     made = make(row["component"])
     settings = eval("dict(%s)" % row["parameters"])
