@@ -74,7 +74,7 @@ RunControl Runner::Control() {
   };
   control.quit = [this] { Stop(); };
   control.time_mode = [this] {
-    return options_.pace == Pace::kRealTime ? "Best Effort" : "Fixed Simulation Step";
+    return KeepsStep() ? "Fixed Simulation Step" : "Best Effort";
   };
   control.time_statistics = [this] { return Statistics(); };
   control.set_time_scale = [this](double factor) {
@@ -115,7 +115,7 @@ Runner::WallClock::time_point Runner::Due(double later) const {
 Json Runner::Statistics() const {
   const double variance = ticks_measured_ > 1.0 ? squares_ / (ticks_measured_ - 1.0) : 0.0;
   Json statistics(Json::Object{{"mean_time", mean_}, {"variance_time", variance}});
-  if (options_.pace == Pace::kRealTime) {
+  if (!KeepsStep()) {
     // The rate's variance to first order from the period's.
     const double rate = mean_ > 0.0 ? 1.0 / mean_ : 0.0;
     statistics.Set("mean_frame_by_sec", rate);
@@ -126,6 +126,11 @@ Json Runner::Statistics() const {
     statistics.Set("diff_real_time", simulation_.tick() == 0 ? 0.0 : wall - simulation_.time());
   }
   return statistics;
+}
+
+// MORSE's strategy, which a scene chooses and its pace does not change.
+bool Runner::KeepsStep() const {
+  return options_.pace != Pace::kRealTime || simulation_.scenario().time.strategy == "max";
 }
 
 bool Runner::HasReaders() const {

@@ -94,6 +94,7 @@ class Runner {
   using WallClock = std::chrono::steady_clock;
 
   RunControl Control();
+  bool KeepsStep() const;  // FixedSimulationStep
   bool HasReaders() const;
   bool AwaitsNext() const;
   bool HasClients() const;

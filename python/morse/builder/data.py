@@ -77,9 +77,10 @@ def data_folders():
 
 def find_asset(category, name):
     """The path of a model file, as MORSE looks for it; None where there is none."""
-    if name.endswith(".blend") and os.path.isfile(name):
+    is_file = name.endswith((".blend", ".dae"))
+    if is_file and os.path.isfile(name):
         return os.path.abspath(name)
-    file = name if name.endswith(".blend") else name + ".blend"
+    file = name if is_file else name + ".blend"
     candidates = [os.path.join(folder, category, file) for folder in data_folders()]
     for folder in filter(None, os.environ.get("MORSE_RESOURCE_PATH", "").split(":")):
         candidates += [os.path.join(folder, name), os.path.join(folder, file),

@@ -669,8 +669,9 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
       try {
         shared_.directory.Receive(*actuator_, Json::Parse(line));
       } catch (const std::exception& error) {
-        shared_.warnings.Warn("{}: a stream message was ignored: {}", component_.full_name(),
-                              error.what());
+        // Each stream's own: one client in error hides no others.
+        warnings_.Warn("{}: a stream message was ignored: {}", component_.full_name(),
+                       error.what());
       }
     }
   }
@@ -752,6 +753,7 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
   sim::Sensor* sensor_;
   sim::Actuator* actuator_;
   std::shared_ptr<Listener> listener_;
+  WarningLimit warnings_;
   std::set<std::shared_ptr<Client>, Earlier> clients_;
 };
 

@@ -7,6 +7,7 @@ namespace ccmorse::sim {
 
 MotionVW::MotionVW(Robot& robot, const std::string& name)
     : Actuator(robot, name, "MotionVW", 60.0) {
+  AddProperty("ControlType", control_, {"Velocity", "Position"});
   std::vector<ServiceParameter> speeds = {{"v"}, {"w"}};
   const bool omni = robot.model().max_side_speed > 0.0;
   if (omni) speeds.push_back({"side", true});

@@ -24,6 +24,7 @@ class MotionVW : public Actuator {
   void AppendFields(std::string& out) const override;
 
   Twist speed_;
+  std::string control_ = "Velocity";  // ControlType: of no effect
 };
 
 }  // namespace ccmorse::sim

@@ -16,8 +16,12 @@ constexpr double kTurnOnly = 60.0 * kPi / 180.0;
 
 Waypoint::Waypoint(Robot& robot, const std::string& name)
     : Actuator(robot, name, "Waypoint", 60.0), angle_tolerance_(kAngleTolerance) {
+  AddProperty("ObstacleAvoidance", avoids_);
+  AddProperty("FreeZ", free_z_);
   AddProperty("AngleTolerance", angle_tolerance_, 0.0, kPi);
   AddProperty("Speed", speed_, 0.0, 1e6);
+  AddProperty("Target", shown_at_);
+  AddProperty("Ignore", ignored_);
   AddProperty("ControlType", control_, {"Velocity", "Position"});
   AddProperty("RemainAtDestination", remain_);
   target_.point = {robot.pose().x, robot.pose().y};
@@ -88,7 +92,8 @@ void Waypoint::DriveTo(const Target& target) {
 
 bool Waypoint::Arrived() const {
   const Vec2 d = target_.point - Vec2{robot().pose().x, robot().pose().y};
-  return std::sqrt(Dot(d, d)) <= target_.tolerance;
+  const double up = free_z_ ? target_.z - robot().position().z : 0.0;
+  return std::sqrt(Dot(d, d) + up * up) <= target_.tolerance;
 }
 
 void Waypoint::Act(const Instant& now) {

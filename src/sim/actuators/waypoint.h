@@ -10,8 +10,9 @@ namespace ccmorse::sim {
 /// z, tolerance in m, speed in m/s. Services: goto (answered "Arrived" on arrival; a new one
 /// preempts it), setdest, stop, resume, get_status. It does not avoid obstacles: MORSE's needs two
 /// radar sensors, which the S1R lacks. Properties: AngleTolerance, within which it does not turn,
-/// rad, Speed, ControlType, and RemainAtDestination, with which it goes back where something else
-/// has taken the robot away.
+/// rad, Speed, ControlType, RemainAtDestination, with which it goes back where something else has
+/// taken the robot away, and FreeZ, with which z counts for the arrival; of no effect are
+/// ObstacleAvoidance, Ignore (words with commas, a list in MORSE) and Target.
 class Waypoint : public Actuator {
  public:
   Waypoint(Robot& robot, const std::string& name);
@@ -48,6 +49,10 @@ class Waypoint : public Actuator {
   double speed_ = 1.0;                // Speed, m/s: of stream messages that say none
   bool remain_ = false;               // RemainAtDestination
   std::string control_ = "Velocity";  // ControlType: of no effect
+  bool free_z_ = false;               // FreeZ
+  bool avoids_ = true;                // ObstacleAvoidance: of no effect
+  std::string shown_at_;              // Target: of no effect
+  std::string ignored_;               // Ignore: of no effect
 };
 
 }  // namespace ccmorse::sim

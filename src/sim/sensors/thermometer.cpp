@@ -1,6 +1,7 @@
 #include "sim/sensors/thermometer.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "base/trig.h"
@@ -23,7 +24,7 @@ Thermometer::Thermometer(Robot& robot, const std::string& name, const scene::Sce
     : Sensor(robot, name, "Thermometer", 60.0),
       world_(world),
       props_(scenario.props),
-      range_(std::numeric_limits<double>::infinity()) {
+      range_(static_cast<double>(std::numeric_limits<std::int64_t>::max())) {
   constexpr double kAny = 1e12;
   AddProperty("FireTag", tag_);
   AddProperty("DefaultTemperature", default_, -kAny, kAny);

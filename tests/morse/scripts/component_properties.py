@@ -1,0 +1,27 @@
+from morse.builder import *
+
+robot = ATRV()
+barometer = Barometer()
+barometer.properties(ReferencePressure=90000)
+robot.append(barometer)
+thermometer = Thermometer()
+thermometer.properties(DefaultTemperature=-5.0, FireTag='Stove', FireTemperature=100.0, Alpha=0.5)
+robot.append(thermometer)
+proximity = Proximity()
+proximity.properties(Track='Prey', Range=7.0)
+robot.append(proximity)
+waypoint = Waypoint()
+waypoint.properties(Speed=2.0, RemainAtDestination=True)
+robot.append(waypoint)
+robot.add_default_interface('socket')
+
+near = ATRV()
+near.translate(x=3.0, y=4.0)
+near.properties(Prey=True, Stove=True)
+far = ATRV()
+far.translate(x=8.0)
+far.properties(Prey=True)
+other = ATRV()
+other.translate(y=-4.0)
+
+env = Environment('empty', fastmode=True)

@@ -1,0 +1,21 @@
+from morse.builder import *
+
+robot = ATRV()
+robot.translate(x=-3.0, y=1.0)
+robot.rotate(z=1.0)
+motion = MotionVW()
+robot.append(motion)
+raw = Odometry()
+raw.level('raw')
+robot.append(raw)
+differential = Odometry()
+differential.level('differential')
+robot.append(differential)
+integrated = Odometry()
+integrated.level('integrated')
+robot.append(integrated)
+pose = Pose()
+robot.append(pose)
+robot.add_default_interface('socket')
+
+env = Environment('empty', fastmode=True)

@@ -1,0 +1,1 @@
+from .scout import Scout
