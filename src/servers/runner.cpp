@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/error.h"
 #include "base/log.h"
 
 namespace ccmorse::servers {
@@ -38,7 +39,7 @@ const char* PaceName(Pace pace) {
 }
 
 Runner::Runner(sim::Simulation& simulation, const RunOptions& options)
-    : simulation_(simulation),
+    : simulation_(WithoutExternal(simulation, options.node)),
       options_(options),
       directory_(simulation, Control()),
       morse_(io_, simulation, directory_,
@@ -48,9 +49,36 @@ Runner::Runner(sim::Simulation& simulation, const RunOptions& options)
       servers_{&morse_},
       speed_(options.pace == Pace::kRealTime ? options.factor
                                              : std::numeric_limits<double>::infinity()) {
-  if (!options.player) return;
-  player_ = player::PlayerServer::Open(io_, simulation, directory_, *options.player);
-  if (player_ != nullptr) servers_.push_back(player_.get());
+  if (options.player) {
+    player_ = player::PlayerServer::Open(io_, simulation, directory_, *options.player);
+    if (player_ != nullptr) servers_.push_back(player_.get());
+  }
+  if (options.sync_port && options.pace != Pace::kLockstep) {
+    sync_.emplace(io_, options.morse.bind, *options.sync_port);
+  }
+  if (!options.node.empty()) {
+    const scene::MultinodeDef& def = *simulation.scenario().multinode;
+    multinode_ = std::make_unique<Multinode>(io_, simulation, def, options.node,
+                                             [this] { return !stop_; });
+    directory_.set_external(multinode_->external());
+  }
+}
+
+// The devices of robots that another node has are neither simulated nor served here; before the
+// directory and the servers look at them.
+sim::Simulation& Runner::WithoutExternal(sim::Simulation& simulation, const std::string& node) {
+  if (node.empty()) return simulation;
+  const auto& multinode = simulation.scenario().multinode;
+  if (!multinode || multinode->nodes.count(node) == 0) {
+    throw Error("the scene has no node '" + node + "'");
+  }
+  for (const std::string& name : Multinode::External(*multinode, node)) {
+    for (const auto& component : simulation.FindRobot(name)->components()) {
+      component->set_active(false);
+      component->set_interfaces(false, false);
+    }
+  }
+  return simulation;
 }
 
 void Runner::AddWatcher(RunWatcher& watcher) {
@@ -70,7 +98,7 @@ RunControl Runner::Control() {
   };
   control.quit = [this] { Stop(); };
   control.time_mode = [this] {
-    return options_.pace == Pace::kRealTime ? "Best Effort" : "Fixed Simulation Step";
+    return fixed_steps() ? "Fixed Simulation Step" : "Best Effort";
   };
   control.time_statistics = [this] { return Statistics(); };
   control.set_time_scale = [this](double factor) {
@@ -111,7 +139,7 @@ Runner::WallClock::time_point Runner::Due(double later) const {
 Json Runner::Statistics() const {
   const double variance = ticks_measured_ > 1.0 ? squares_ / (ticks_measured_ - 1.0) : 0.0;
   Json statistics(Json::Object{{"mean_time", mean_}, {"variance_time", variance}});
-  if (options_.pace == Pace::kRealTime) {
+  if (!fixed_steps()) {
     // The rate's variance to first order from the period's.
     const double rate = mean_ > 0.0 ? 1.0 / mean_ : 0.0;
     statistics.Set("mean_frame_by_sec", rate);
@@ -122,6 +150,10 @@ Json Runner::Statistics() const {
     statistics.Set("diff_real_time", simulation_.tick() == 0 ? 0.0 : wall - simulation_.time());
   }
   return statistics;
+}
+
+bool Runner::fixed_steps() const {
+  return options_.pace != Pace::kRealTime || simulation_.scenario().time.strategy != "realtime";
 }
 
 bool Runner::HasReaders() const {
@@ -162,6 +194,7 @@ std::optional<Runner::WallClock::time_point> Runner::LetHangingGo(WallClock::dur
 
 void Runner::CloseServers() {
   for (ProtocolServer* server : servers_) server->Close();
+  if (sync_) sync_->Close();
 }
 
 void Runner::Stop() {
@@ -213,6 +246,7 @@ RunSummary Runner::Run() {
     if (first && on_first_tick_) on_first_tick_();
     first = false;
   }
+  if (multinode_ && !stop_) multinode_->Finish();
   RunSummary summary;
   summary.simulated = simulation_.time();
   if (!first) {
@@ -228,7 +262,14 @@ void Runner::WaitForTurn() {
   do {
     WaitWhilePaused();
     speed_changed_ = false;
-    WaitForPace();
+    if (sync_ && sync_->connected()) {
+      WaitForSync();
+    } else {
+      WaitForPace();
+    }
+    // What came before a request that waits for the next tick acts in it, too, over whichever
+    // connection it came (specs: morse.md E.6).
+    if (options_.pace == Pace::kRealTime) ServeWhatIsThere();
   } while (!stop_ && (held() || speed_changed_ ||
                       (options_.pace == Pace::kLockstep && !ClientsAreWaiting())));
   if (paused_ && steps_ > 0) --steps_;
@@ -278,6 +319,11 @@ void Runner::WaitForPace() {
     SleepUntil(due);
   }
   StayAwakeUntil(due);
+}
+
+void Runner::WaitForSync() {
+  while (!stop_ && !held() && !sync_->TakeTick()) io_.run_one();
+  GoOnFromHere();
 }
 
 void Runner::StayAwakeUntil(WallClock::time_point time) {
