@@ -790,8 +790,8 @@ MultinodeDef ReadNodes(const Field& field, const Scenario& scenario) {
     for (const Field& item : names.Require(member.first).Items()) {
       const auto found = std::find(missing.begin(), missing.end(), item.Text());
       if (found == missing.end()) {
-        item.FailHere(fmt::format("must be a robot that no other node has, not {}",
-                                  Quoted(item.Text())));
+        item.FailHere(
+            fmt::format("must be a robot that no other node has, not {}", Quoted(item.Text())));
       }
       missing.erase(found);
       robots.push_back(item.Text());

@@ -345,8 +345,8 @@ struct Scenario {
   CanvasDef canvas;
   CameraDef camera;
   TimeDef time;
-  std::uint64_t seed = 1;             ///< of all noise, 0..2^63-1
-  std::optional<PlayerSetup> player;  ///< what Player's clients are served, where it is said
+  std::uint64_t seed = 1;                 ///< of all noise, 0..2^63-1
+  std::optional<PlayerSetup> player;      ///< what Player's clients are served, where it is said
   std::optional<MultinodeDef> multinode;  ///< where it is said
 };
 

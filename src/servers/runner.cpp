@@ -22,6 +22,7 @@ constexpr auto kStayAwake = std::chrono::microseconds(100);  // in lock-step, fo
 // somebody waits for the data the thread is to be awake then.
 constexpr auto kWakeEarly = std::chrono::microseconds(200);
 constexpr auto kWarmEarly = std::chrono::microseconds(100);
+constexpr auto kLastOrders = std::chrono::microseconds(500);
 constexpr int kHandlersPerTick = 64;  // at full speed, so that no flood of requests stops time
 
 }  // namespace
@@ -58,8 +59,8 @@ Runner::Runner(sim::Simulation& simulation, const RunOptions& options)
   }
   if (!options.node.empty()) {
     const scene::MultinodeDef& def = *simulation.scenario().multinode;
-    multinode_ = std::make_unique<Multinode>(io_, simulation, def, options.node,
-                                             [this] { return !stop_; });
+    multinode_ =
+        std::make_unique<Multinode>(io_, simulation, def, options.node, [this] { return !stop_; });
     directory_.set_external(multinode_->external());
   }
 }
@@ -97,9 +98,7 @@ RunControl Runner::Control() {
     return morse_.StreamPort(component);
   };
   control.quit = [this] { Stop(); };
-  control.time_mode = [this] {
-    return fixed_steps() ? "Fixed Simulation Step" : "Best Effort";
-  };
+  control.time_mode = [this] { return fixed_steps() ? "Fixed Simulation Step" : "Best Effort"; };
   control.time_statistics = [this] { return Statistics(); };
   control.set_time_scale = [this](double factor) {
     if (options_.pace != Pace::kRealTime) return false;
@@ -269,7 +268,7 @@ void Runner::WaitForTurn() {
     }
     // What came before a request that waits for the next tick acts in it, too, over whichever
     // connection it came (specs: morse.md E.6).
-    if (options_.pace == Pace::kRealTime) ServeWhatIsThere();
+    if (options_.pace == Pace::kRealTime) ServeLastOrders();
   } while (!stop_ && (held() || speed_changed_ ||
                       (options_.pace == Pace::kLockstep && !ClientsAreWaiting())));
   if (paused_ && steps_ > 0) --steps_;
@@ -333,6 +332,14 @@ void Runner::StayAwakeUntil(WallClock::time_point time) {
 void Runner::ServeWhatIsThere() {
   io_.restart();
   for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
+  }
+}
+
+// As that, but the tick is due: a flood of requests does not hold it up.
+void Runner::ServeLastOrders() {
+  const auto until = WallClock::now() + kLastOrders;
+  io_.restart();
+  while (!stop_ && io_.poll_one() > 0 && WallClock::now() < until) {
   }
 }
 

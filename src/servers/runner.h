@@ -126,6 +126,7 @@ class Runner {
   void GoOnFromHere();  // for the pace
   void SetSpeed(double speed);
   void ServeWhatIsThere();
+  void ServeLastOrders();
   void WaitForClients();
   void SleepUntil(WallClock::time_point time);  // and serve meanwhile
   void StayAwakeUntil(WallClock::time_point time);

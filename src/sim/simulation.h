@@ -67,8 +67,8 @@ class Simulation {
   /// Robots, devices and dynamic boxes as at the start; time goes on (MORSE's reset_objects).
   void ResetObjects();
 
-  /// Called in each Act() when actuators have acted, just before the robots move: what of a scene is
-  /// simulated elsewhere is put in its place there. Throws what it throws.
+  /// Called in each Act() when actuators have acted, just before the robots move: what of a scene
+  /// is simulated elsewhere is put in its place there. Throws what it throws.
   void set_before_motion(std::function<void()> hook) { before_motion_ = std::move(hook); }
 
   /// With physics off, actuators act but nothing moves (MORSE's suspend_dynamics).

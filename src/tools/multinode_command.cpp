@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <boost/asio/io_context.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -21,13 +20,11 @@ struct Arguments {
 
 int Serve(const Arguments& arguments) {
   const StopSignals signals;
-  boost::asio::io_context io;
-  servers::MultinodeServer server(io, arguments.bind, arguments.port);
-  const StopSignalWatch watch(signals, io, [&io](int) { io.stop(); });
+  servers::MultinodeServer server(arguments.bind, arguments.port);
+  const StopSignalWatch watch(signals, server.io(), [&server](int) { server.Stop(); });
   fmt::print("Multinode server on {} port {}\n", arguments.bind, server.port());
   std::fflush(stdout);
-  io.run();
-  server.Close();
+  server.Run();
   return 0;
 }
 
@@ -41,8 +38,7 @@ void AddMultinodeServerCommand(CommandLine& line) {
   command.add_option("--port", arguments->port, "to listen on; 0 takes any free one  [65000]")
       ->check(CLI::Range(0, 65535))
       ->type_name("N");
-  command
-      .add_option("--bind", arguments->bind, "address to listen on  [127.0.0.1]")
+  command.add_option("--bind", arguments->bind, "address to listen on  [127.0.0.1]")
       ->type_name("ADDRESS");
   command.footer(
       "Each simulator has the robots that env.configure_multinode() gives its node, and all go in\n"

@@ -161,9 +161,10 @@ std::string NodeOf(const scene::Scenario& scenario) {
     if (::gethostname(machine.data(), machine.size() - 1) == 0) name = machine.data();
   }
   if (scenario.multinode->nodes.count(name) != 0) return name;
-  LogWarning("'{}' is none of the scene's nodes: all robots are on this one; --name NODE says which "
-             "of them this is",
-             name);
+  LogWarning(
+      "'{}' is none of the scene's nodes: all robots are on this one; --name NODE says which "
+      "of them this is",
+      name);
   return "";
 }
 

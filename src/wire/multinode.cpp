@@ -17,9 +17,7 @@ constexpr std::string_view kOurs = "__ccmorse";
 
 using Three = std::array<double, 3>;
 
-Json ToJson(const Three& numbers) {
-  return Json(Json::Array(numbers.begin(), numbers.end()));
-}
+Json ToJson(const Three& numbers) { return Json(Json::Array(numbers.begin(), numbers.end())); }
 
 Three ReadThree(const Json& json, const char* what) {
   if (!json.IsArray() || json.AsArray().size() != 3) {

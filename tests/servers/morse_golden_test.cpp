@@ -131,14 +131,14 @@ class Toy {
 
  private:
   void AddSlow(ServiceDirectory& directory, const char* name, sim::WhileRunning policy) {
-    sim::Service service{name, {{"number"}}, nullptr,
-                         [this](sim::Arguments arguments, sim::Completion done) {
-                           sim::NumberArgument(arguments, 0, "number");
-                           for (sim::Completion& old : std::exchange(running_, {})) {
-                             old({sim::Outcome::kPreempted, Json()});
-                           }
-                           running_.push_back(std::move(done));
-                         }};
+    sim::Service service{
+        name, {{"number"}}, nullptr, [this](sim::Arguments arguments, sim::Completion done) {
+          sim::NumberArgument(arguments, 0, "number");
+          for (sim::Completion& old : std::exchange(running_, {})) {
+            old({sim::Outcome::kPreempted, Json()});
+          }
+          running_.push_back(std::move(done));
+        }};
     service.changes_simulation = false;
     service.while_running = policy;
     directory.Add("toy", std::move(service));

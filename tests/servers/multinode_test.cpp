@@ -1,9 +1,9 @@
 // Several simulators that share a scene (specs: morse.md A.7): in lock-step, with the hash of one.
 
+#include "wire/multinode.h"
+
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <boost/asio/io_context.hpp>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -18,7 +18,6 @@
 #include "servers/runner.h"
 #include "sim/simulation.h"
 #include "tests/support/line_client.h"
-#include "wire/multinode.h"
 
 namespace ccmorse::servers {
 namespace {
@@ -28,16 +27,15 @@ using testing::LineClient;
 // The server in a thread of its own.
 class Server {
  public:
-  Server() : server_(io_, "127.0.0.1", 0), port_(server_.port()), thread_([this] { io_.run(); }) {}
+  Server() : port_(server_.port()), thread_([this] { server_.Run(); }) {}
   ~Server() {
-    io_.stop();
+    server_.Stop();
     thread_.join();
   }
   int port() const { return port_; }
 
  private:
-  boost::asio::io_context io_;
-  MultinodeServer server_;
+  MultinodeServer server_{"127.0.0.1", 0};
   int port_;
   std::thread thread_;
 };
@@ -205,11 +203,13 @@ TEST(MultinodeWire, MorsesOwnNodesAreAnsweredAtOnceWithTheOthersRobots) {
   a.Send(kHere);
   EXPECT_EQ(a.ReadLine(), R"({"__time": [1.5, 0.016666666666666666, 9.0]})");
   b.Send(kThere);
-  EXPECT_EQ(b.ReadLine(),
-            R"({"r": [[1.0, 2.0, 3.0], [0.0, 0.0, 0.5]], "__time": [2.5, 0.016666666666666666, 9.5]})");
+  EXPECT_EQ(
+      b.ReadLine(),
+      R"({"r": [[1.0, 2.0, 3.0], [0.0, 0.0, 0.5]], "__time": [2.5, 0.016666666666666666, 9.5]})");
   a.Send(kHere);
-  EXPECT_EQ(a.ReadLine(),
-            R"({"s": [[4.0, 5.0, 6.0], [0.0, 0.0, 1e-07]], "__time": [2.5, 0.016666666666666666, 9.5]})");
+  EXPECT_EQ(
+      a.ReadLine(),
+      R"({"s": [[4.0, 5.0, 6.0], [0.0, 0.0, 1e-07]], "__time": [2.5, 0.016666666666666666, 9.5]})");
 }
 
 TEST(MultinodeWire, NodesInLockstepWaitForEachOther) {

@@ -20,9 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using testing::LineClient;
 
-double Seconds(Clock::duration duration) {
-  return std::chrono::duration<double>(duration).count();
-}
+double Seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 int StreamPort(LineClient& client, const std::string& component) {
   const std::string reply = client.Ask("1 simulation get_stream_port [\"" + component + "\"]");

@@ -30,9 +30,8 @@ class ServedSimulation {
                             const std::function<void(Runner&)>& prepare = {})
       : simulation_(scene::ParseScenario(scenario, "test.json")),
         recorder_(simulation_, folder_.path() + "/run.mcap", record),
-        runner_(simulation_,
-                Options(pace, seconds, limits, clients, client_timeout, std::move(player),
-                        simulation_.scenario().time.sync_port)),
+        runner_(simulation_, Options(pace, seconds, limits, clients, client_timeout,
+                                     std::move(player), simulation_.scenario().time.sync_port)),
         port_(runner_.morse().port()),
         sync_port_(runner_.sync_port()),
         thread_([this, prepare] {

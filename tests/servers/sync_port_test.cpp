@@ -83,7 +83,8 @@ TEST_P(SyncPortTest, ServicesAreAnsweredWhileATickIsWaitedFor) {
   LineClient client(served.port());
   const LineClient master(served.sync_port());
   const std::int64_t start = StandingTick(client);
-  for (int i = 0; i < 100; ++i) EXPECT_EQ(client.Ask("1 simulation list_robots"), "1 SUCCESS [\"s1r\"]");
+  for (int i = 0; i < 100; ++i)
+    EXPECT_EQ(client.Ask("1 simulation list_robots"), "1 SUCCESS [\"s1r\"]");
   EXPECT_EQ(Tick(client), start);
   EXPECT_EQ(client.Ask("1 simulation quit"), "1 SUCCESS");
   served.Join();

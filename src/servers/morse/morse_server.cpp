@@ -106,7 +106,7 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
   asio::steady_timer stream_timer{io};
   bool streams_wait = false;   // lines of the last Sense() have not been sent yet
   bool answered_late = false;  // an asynchronous service has ended since the last Sense()
-  int readers_ever = 0;  // connections that have sent a read
+  int readers_ever = 0;        // connections that have sent a read
   bool sensed_once = false;
   std::uint64_t sensed_tick = 0;  // of the last Sense()
   std::string ended;              // why reads fail, once the run is over

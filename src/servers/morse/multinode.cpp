@@ -45,9 +45,10 @@ struct Multinode::State : std::enable_shared_from_this<Multinode::State> {
     const auto found = resolver.resolve(def.server, std::to_string(def.port), error);
     if (!error) asio::connect(socket, found, error);
     if (error) {
-      throw Error(fmt::format("no multinode server at {} port {}: {}; `ccmorse multinode-server` is "
-                              "one",
-                              def.server, def.port, error.message()));
+      throw Error(
+          fmt::format("no multinode server at {} port {}: {}; `ccmorse multinode-server` is "
+                      "one",
+                      def.server, def.port, error.message()));
     }
     ErrorCode ignored;
     socket.set_option(tcp::no_delay(true), ignored);
@@ -55,17 +56,18 @@ struct Multinode::State : std::enable_shared_from_this<Multinode::State> {
   }
 
   void Read() {
-    socket.async_read_some(asio::buffer(block), [self = shared_from_this()](ErrorCode error,
-                                                                           std::size_t size) {
-      if (error) {
-        self->gone = true;
-        return;
-      }
-      self->lines.Append({self->block.data(), size});
-      std::string_view line;
-      while (self->lines.Next(&line) == wire::LineSplitter::Result::kLine) self->answer = line;
-      self->Read();
-    });
+    socket.async_read_some(asio::buffer(block),
+                           [self = shared_from_this()](ErrorCode error, std::size_t size) {
+                             if (error) {
+                               self->gone = true;
+                               return;
+                             }
+                             self->lines.Append({self->block.data(), size});
+                             std::string_view line;
+                             while (self->lines.Next(&line) == wire::LineSplitter::Result::kLine)
+                               self->answer = line;
+                             self->Read();
+                           });
   }
 
   wire::NodeMessage Told(bool finished) const {

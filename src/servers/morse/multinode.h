@@ -11,8 +11,8 @@
 
 namespace ccmorse::servers {
 
-/// One of several simulators that share a scene in lock-step (specs: morse.md A.7): it simulates the
-/// robots that are its own, with their devices. Those of others are bodies in it, which do what
+/// One of several simulators that share a scene in lock-step (specs: morse.md A.7): it simulates
+/// the robots that are its own, with their devices. Those of others are bodies in it, which do what
 /// their own simulators say, so that what it simulates is the same, bit for bit, as in a run of all
 /// on one node. Boxes that are raised by services and the grid map on the floor are not shared.
 ///

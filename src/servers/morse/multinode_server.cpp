@@ -56,14 +56,13 @@ struct MultinodeServer::State : std::enable_shared_from_this<MultinodeServer::St
   }
 
   void Read(const std::shared_ptr<Node>& node) {
-    node->socket.async_read_some(
-        asio::buffer(node->block),
-        [self = shared_from_this(), node](ErrorCode error, std::size_t size) {
-          if (self->closed) return;
-          if (error) return self->Drop(node, "it has gone");
-          node->lines.Append({node->block.data(), size});
-          if (self->TakeLines(node)) self->Read(node);
-        });
+    node->socket.async_read_some(asio::buffer(node->block), [self = shared_from_this(), node](
+                                                                ErrorCode error, std::size_t size) {
+      if (self->closed) return;
+      if (error) return self->Drop(node, "it has gone");
+      node->lines.Append({node->block.data(), size});
+      if (self->TakeLines(node)) self->Read(node);
+    });
   }
 
   // False when the node was let go.
@@ -144,18 +143,14 @@ struct MultinodeServer::State : std::enable_shared_from_this<MultinodeServer::St
   bool closed = false;
 };
 
-MultinodeServer::MultinodeServer(asio::io_context& io, const std::string& bind, int port)
+MultinodeServer::MultinodeServer(const std::string& bind, int port)
     : state_(std::make_shared<State>()) {
   state_->listener = std::make_shared<Listener>(
-      io, [state = state_.get()](tcp::socket socket) { state->Take(std::move(socket)); });
+      io_, [state = state_.get()](tcp::socket socket) { state->Take(std::move(socket)); });
   state_->listener->Open(bind, port, false);
 }
 
-MultinodeServer::~MultinodeServer() { Close(); }
-
-int MultinodeServer::port() const { return state_->listener->port(); }
-
-void MultinodeServer::Close() {
+MultinodeServer::~MultinodeServer() {
   state_->closed = true;
   state_->listener->Close();
   for (const auto& node : state_->nodes) {
@@ -163,6 +158,11 @@ void MultinodeServer::Close() {
     node->socket.close(ignored);
   }
   state_->nodes.clear();
+  // Handlers of the closed sockets still refer to what goes before the io_context: let them run.
+  io_.restart();
+  io_.poll();
 }
+
+int MultinodeServer::port() const { return state_->listener->port(); }
 
 }  // namespace ccmorse::servers

@@ -125,7 +125,8 @@ Matrix4 MatrixArgument(Arguments arguments, std::size_t index, const char* name)
   for (std::size_t i = 0; i < 4; ++i) {
     const Json& row = rows.AsArray()[i];
     if (!row.IsArray() || row.AsArray().size() != 4) throw wrong();
-    for (std::size_t k = 0; k < 4; ++k) matrix[4 * i + k] = sim::NumberArgument(row.AsArray(), k, name);
+    for (std::size_t k = 0; k < 4; ++k)
+      matrix[4 * i + k] = sim::NumberArgument(row.AsArray(), k, name);
   }
   return matrix;
 }
@@ -150,9 +151,22 @@ Matrix4 CameraTransform(Vec3 position, Vec3 euler) {
 Matrix4 PerspectiveProjection(double far_clip = 100.0) {
   constexpr double kNear = 0.1;
   constexpr double kScale = 2.0 * 20.0 / 32.0;
-  return {kScale, 0.0, 0.0, 0.0, 0.0, kScale * 4.0 / 3.0, 0.0, 0.0,
-          0.0, 0.0, -(far_clip + kNear) / (far_clip - kNear),
-          -2.0 * far_clip * kNear / (far_clip - kNear), 0.0, 0.0, -1.0, 0.0};
+  return {kScale,
+          0.0,
+          0.0,
+          0.0,
+          0.0,
+          kScale * 4.0 / 3.0,
+          0.0,
+          0.0,
+          0.0,
+          0.0,
+          -(far_clip + kNear) / (far_clip - kNear),
+          -2.0 * far_clip * kNear / (far_clip - kNear),
+          0.0,
+          0.0,
+          -1.0,
+          0.0};
 }
 
 // [value, type, doc, python attribute] by name, as MORSE lists properties.
@@ -176,8 +190,7 @@ Json YawQuaternion(double yaw) {
 }  // namespace
 
 ServiceDirectory::ServiceDirectory(sim::Simulation& simulation, RunControl control)
-    : simulation_(simulation),
-      control_(std::move(control)) {
+    : simulation_(simulation), control_(std::move(control)) {
   for (sim::Component* component : simulation_.components()) {
     if (component->served()) AddComponentServices(*component);
   }
@@ -329,8 +342,8 @@ bool ServiceDirectory::IsRefused(std::string_view component, std::string_view se
   if (!contest_) return false;
   if (component == "arena" || service == "mirror") return true;
   static constexpr std::array<std::string_view, 9> kRefused = {
-      "reset_objects",    "activate",         "deactivate",
-      "suspend_dynamics", "restore_dynamics", "set_object_position",
+      "reset_objects",    "activate",          "deactivate",
+      "suspend_dynamics", "restore_dynamics",  "set_object_position",
       "mirror_pose",      "get_scene_objects", "set_object_dynamics"};
   return component == "simulation" &&
          std::find(kRefused.begin(), kRefused.end(), service) != kRefused.end();
@@ -432,10 +445,10 @@ void ServiceDirectory::AddComponentServices(sim::Component& component) {
                                           {"translation", ToJson(component.mount())}});
                          return Json(Json::Object{{"configurations", std::move(configurations)}});
                        }});
-  AddQuery(full_name, {"get_properties", {}, [&component](Arguments) {
-                         return Json(Json::Object{
-                             {"properties", PropertyTable(component.Configurations())}});
-                       }});
+  AddQuery(full_name,
+           {"get_properties", {}, [&component](Arguments) {
+              return Json(Json::Object{{"properties", PropertyTable(component.Configurations())}});
+            }});
   Add(full_name,
       {"set_property", {{"name"}, {"value"}}, [&component](Arguments arguments) -> Json {
          const std::string& property = sim::StringArgument(arguments, 0, "name");
@@ -533,27 +546,29 @@ void ServiceDirectory::AddStreamServices() {
     return;
   }
   AddQuery("simulation", {"list_streams", {}, [this](Arguments) {
-    Json::Array names;
-    for (const sim::Component* component : simulation_.components()) {
-      if (HasStream(*component)) names.push_back(component->full_name());
-    }
-    return Json(std::move(names));
-  }});
+                            Json::Array names;
+                            for (const sim::Component* component : simulation_.components()) {
+                              if (HasStream(*component)) names.push_back(component->full_name());
+                            }
+                            return Json(std::move(names));
+                          }});
   AddQuery("simulation", {"get_stream_port", {{"name"}}, [this](Arguments arguments) {
-    const std::string& name = sim::StringArgument(arguments, 0, "name");
-    const sim::Component* component = simulation_.FindComponent(name);
-    const int port = component == nullptr ? 0 : control_.stream_port(*component);
-    if (port == 0) throw ServiceFailed("Stream unavailable for component " + name);
-    return Json(port);
-  }});
+                            const std::string& name = sim::StringArgument(arguments, 0, "name");
+                            const sim::Component* component = simulation_.FindComponent(name);
+                            const int port =
+                                component == nullptr ? 0 : control_.stream_port(*component);
+                            if (port == 0)
+                              throw ServiceFailed("Stream unavailable for component " + name);
+                            return Json(port);
+                          }});
   AddQuery("simulation", {"get_all_stream_ports", {}, [this](Arguments) {
-    Json ports(Json::Object{});
-    for (const sim::Component* component : simulation_.components()) {
-      const int port = control_.stream_port(*component);
-      if (port != 0) ports.Set(component->full_name(), port);
-    }
-    return ports;
-  }});
+                            Json ports(Json::Object{});
+                            for (const sim::Component* component : simulation_.components()) {
+                              const int port = control_.stream_port(*component);
+                              if (port != 0) ports.Set(component->full_name(), port);
+                            }
+                            return ports;
+                          }});
 }
 
 void ServiceDirectory::AddObjectServices() {
@@ -618,7 +633,7 @@ void ServiceDirectory::AddCameraServices() {
   add("set_camarafp_far_clip", {{"far_clip"}}, [this](Arguments arguments) {
     const double far_clip = sim::NumberArgument(arguments, 0, "far_clip");
     if (far_clip <= 0.0) return Json(0);
-    projection_ = PerspectiveProjection(far_clip);
+    projection_ = PerspectiveProjection(std::clamp(far_clip, 1.0, 1e9));  // of finite numbers
     return arguments[0];
   });
 }
@@ -627,10 +642,10 @@ void ServiceDirectory::AddCameraServices() {
 // for the robot that it is mounted on, and fails.
 void ServiceDirectory::AddRobotServices(sim::Robot& robot) {
   const std::string& name = robot.name();
-  AddQuery(name, {"get_properties", {}, [&robot](Arguments) {
-                    return Json(
-                        Json::Object{{"properties", PropertyTable(robot.def().properties)}});
-                  }});
+  AddQuery(name,
+           {"get_properties", {}, [&robot](Arguments) {
+              return Json(Json::Object{{"properties", PropertyTable(robot.def().properties)}});
+            }});
   AddQuery(name, {"set_property", {{"name"}, {"value"}}, [&robot](Arguments arguments) -> Json {
                     const std::string& property = sim::StringArgument(arguments, 0, "name");
                     if (robot.def().properties.Find(property) == nullptr) {
