@@ -119,14 +119,17 @@ class JsonParser {
  private:
   [[noreturn]] void Fail(const std::string& reason, std::size_t offset) const {
     int line = 1;
+    // Python counts characters: of a character's bytes all but the first are 0b10xxxxxx.
+    std::size_t characters = 0;
     std::size_t line_start = 0;
     for (std::size_t i = 0; i < offset && i < text_.size(); ++i) {
+      if ((static_cast<unsigned char>(text_[i]) & 0xC0U) != 0x80U) ++characters;
       if (text_[i] == '\n') {
         ++line;
-        line_start = i + 1;
+        line_start = characters;
       }
     }
-    throw JsonError(reason, line, static_cast<int>(offset - line_start) + 1, offset);
+    throw JsonError(reason, line, static_cast<int>(characters - line_start) + 1, characters);
   }
 
   void SkipSpace() {

@@ -624,6 +624,7 @@ RobotDef ReadRobot(const Field& field, std::size_t number) {
   if (reader.Has("pose_noise")) robot.pose_noise = ReadPoseNoise(reader.Require("pose_noise"));
   if (reader.Has("odometry")) robot.odometry = ReadOdometry(reader.Require("odometry"));
   if (reader.Has("properties")) robot.properties = ReadProperties(reader.Require("properties"));
+  robot.services = reader.Bool("services", robot.services);
   CheckRings(reader, robot);
   if (!own) CheckModule(reader, robot);
   reader.Finish();
@@ -769,8 +770,37 @@ TimeDef ReadTime(const Field& field) {
   time.read_frequency = reader.Number(
       "read_frequency", std::min(time.read_frequency, time.frequency), {0.01, time.frequency});
   time.end = reader.Number("end", time.end, {0.0, 1e9});
+  time.sync_port = reader.Integer("sync_port", time.sync_port, 0, 65535);
   reader.Finish();
   return time;
+}
+
+// Every robot is simulated by one node, and by one only.
+MultinodeDef ReadNodes(const Field& field, const Scenario& scenario) {
+  ObjectReader reader(field);
+  MultinodeDef multinode;
+  if (reader.Has("server")) multinode.server = reader.Require("server").Text();
+  multinode.port = reader.Integer("port", multinode.port, 1, 65535);
+  const Field nodes = reader.Require("nodes");
+  std::vector<std::string> missing;
+  for (const RobotDef& robot : scenario.robots) missing.push_back(robot.name);
+  ObjectReader names(nodes);
+  for (const auto& member : nodes.value().AsObject()) {
+    std::vector<std::string>& robots = multinode.nodes[member.first];
+    for (const Field& item : names.Require(member.first).Items()) {
+      const auto found = std::find(missing.begin(), missing.end(), item.Text());
+      if (found == missing.end()) {
+        item.FailHere(
+            fmt::format("must be a robot that no other node has, not {}", Quoted(item.Text())));
+      }
+      missing.erase(found);
+      robots.push_back(item.Text());
+    }
+  }
+  if (multinode.nodes.empty()) nodes.FailHere("must name the nodes and their robots");
+  if (!missing.empty()) nodes.FailHere("gives no node the robot " + Quoted(missing.front()));
+  reader.Finish();
+  return multinode;
 }
 
 // What the section says of robots must be true of them.
@@ -838,6 +868,9 @@ Scenario ReadScenario(const Json& json, const std::string& file) {
     scenario.seed = static_cast<std::uint64_t>(reader.Require("seed").Integer(0, kMostSeed));
   }
   if (reader.Has("player")) ReadPlayer(reader.Require("player"), scenario);
+  if (reader.Has("multinode")) {
+    scenario.multinode = ReadNodes(reader.Require("multinode"), scenario);
+  }
   reader.Finish();
   return scenario;
 }
@@ -943,6 +976,15 @@ Json GeodesyToJson(const GeodesyDef& geodesy) {
                       {"angle_against_north", geodesy.angle_against_north}};
 }
 
+Json MultinodeToJson(const MultinodeDef& multinode) {
+  Json nodes(Json::Object{});
+  for (const auto& [name, robots] : multinode.nodes) {
+    nodes.Set(name, Json::Array(robots.begin(), robots.end()));
+  }
+  return Json::Object{
+      {"server", multinode.server}, {"port", multinode.port}, {"nodes", std::move(nodes)}};
+}
+
 Json RobotToJson(const RobotDef& robot) {
   Json::Object proxies;
   for (const auto& [interface, table] : robot.proxies) {
@@ -971,6 +1013,7 @@ Json RobotToJson(const RobotDef& robot) {
   }
   if (robot.body) object.emplace_back("body", BodyToJson(*robot.body));
   AddProperties(object, robot.properties);
+  if (robot.services) object.emplace_back("services", true);
   const OdometryDef& odometry = robot.odometry;
   object.emplace_back("odometry", Json::Object{{"start", PoseToJson(odometry.start)},
                                                {"error", VectorToJson(odometry.error)}});
@@ -1076,6 +1119,11 @@ Json ToJson(const Scenario& scenario) {
                             {"read_frequency", time.read_frequency},
                             {"end", time.end}}},
       {"seed", static_cast<std::int64_t>(scenario.seed)}};
+  if (time.sync_port != 0) {
+    const auto at = std::find_if(object.begin(), object.end(),
+                                 [](const Json::Member& member) { return member.first == "time"; });
+    at->second.Set("sync_port", time.sync_port);
+  }
   if (!scenario.environment.empty()) object.emplace_back("environment", scenario.environment);
   if (!scenario.props.empty()) {
     Json::Array props;
@@ -1089,6 +1137,7 @@ Json ToJson(const Scenario& scenario) {
   }
   if (scenario.geodesy) object.emplace_back("geodesy", GeodesyToJson(*scenario.geodesy));
   if (scenario.player) object.emplace_back("player", PlayerSetupToJson(*scenario.player));
+  if (scenario.multinode) object.emplace_back("multinode", MultinodeToJson(*scenario.multinode));
   return object;
 }
 

@@ -245,6 +245,7 @@ struct RobotDef {
   std::optional<std::vector<ComponentDef>> components;
   /// MORSE's properties of it, by name, an object: some sensors of others look for them.
   Json properties = Json(Json::Object{});
+  bool services = false;  ///< answers on the service port itself (MORSE's add_service of a robot)
 };
 
 /// The grid-map canvas (thesis 4.2.1).
@@ -271,6 +272,16 @@ struct TimeDef {
   double factor = 1.0;           ///< simulated seconds per wall second in real time, 0.001..1000
   double read_frequency = 10.0;  ///< how often a client's Read() gets data, Hz, 0.01..frequency
   double end = 0.0;              ///< s of simulated time after which a run stops; 0: never
+  /// MORSE's time_sync of sockets (specs: morse.md A.6): while a client is connected to this port a
+  /// tick waits for bytes from it. 0: there is none.
+  int sync_port = 0;
+};
+
+/// A scene that several simulators share, each with some of its robots (specs: morse.md A.7).
+struct MultinodeDef {
+  std::string server = "localhost";                       ///< host of the server between them
+  int port = 65000;                                       ///< of that server
+  std::map<std::string, std::vector<std::string>> nodes;  ///< name -> its robots
 };
 
 /// What is done to dynamic boxes at once (thesis 5.1: the arena controller): first the preset, then
@@ -334,8 +345,9 @@ struct Scenario {
   CanvasDef canvas;
   CameraDef camera;
   TimeDef time;
-  std::uint64_t seed = 1;             ///< of all noise, 0..2^63-1
-  std::optional<PlayerSetup> player;  ///< what Player's clients are served, where it is said
+  std::uint64_t seed = 1;                 ///< of all noise, 0..2^63-1
+  std::optional<PlayerSetup> player;      ///< what Player's clients are served, where it is said
+  std::optional<MultinodeDef> multinode;  ///< where it is said
 };
 
 /// Reads and checks a scenario. `file` names it in messages; names of files in it start from the

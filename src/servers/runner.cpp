@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/error.h"
 #include "base/log.h"
 
 namespace ccmorse::servers {
@@ -25,6 +26,7 @@ constexpr auto kRouseEarly = std::chrono::microseconds(5000);
 constexpr int kRouseShare = 10;  // 1 in so many
 constexpr auto kRoused = std::chrono::microseconds(100);
 constexpr auto kWakeEarly = std::chrono::microseconds(400);
+constexpr auto kLastOrders = std::chrono::microseconds(500);
 constexpr int kHandlersPerTick = 64;  // at full speed, so that no flood of requests stops time
 
 }  // namespace
@@ -42,7 +44,7 @@ const char* PaceName(Pace pace) {
 }
 
 Runner::Runner(sim::Simulation& simulation, const RunOptions& options)
-    : simulation_(simulation),
+    : simulation_(WithoutExternal(simulation, options.node)),
       options_(options),
       directory_(simulation, Control()),
       morse_(io_, simulation, directory_,
@@ -52,9 +54,36 @@ Runner::Runner(sim::Simulation& simulation, const RunOptions& options)
       servers_{&morse_},
       speed_(options.pace == Pace::kRealTime ? options.factor
                                              : std::numeric_limits<double>::infinity()) {
-  if (!options.player) return;
-  player_ = player::PlayerServer::Open(io_, simulation, directory_, *options.player);
-  if (player_ != nullptr) servers_.push_back(player_.get());
+  if (options.player) {
+    player_ = player::PlayerServer::Open(io_, simulation, directory_, *options.player);
+    if (player_ != nullptr) servers_.push_back(player_.get());
+  }
+  if (options.sync_port && options.pace != Pace::kLockstep) {
+    sync_.emplace(io_, options.morse.bind, *options.sync_port);
+  }
+  if (!options.node.empty()) {
+    const scene::MultinodeDef& def = *simulation.scenario().multinode;
+    multinode_ =
+        std::make_unique<Multinode>(io_, simulation, def, options.node, [this] { return !stop_; });
+    directory_.set_external(multinode_->external());
+  }
+}
+
+// The devices of robots that another node has are neither simulated nor served here; before the
+// directory and the servers look at them.
+sim::Simulation& Runner::WithoutExternal(sim::Simulation& simulation, const std::string& node) {
+  if (node.empty()) return simulation;
+  const auto& multinode = simulation.scenario().multinode;
+  if (!multinode || multinode->nodes.count(node) == 0) {
+    throw Error("the scene has no node '" + node + "'");
+  }
+  for (const std::string& name : Multinode::External(*multinode, node)) {
+    for (const auto& component : simulation.FindRobot(name)->components()) {
+      component->set_active(false);
+      component->set_interfaces(false, false);
+    }
+  }
+  return simulation;
 }
 
 void Runner::AddWatcher(RunWatcher& watcher) {
@@ -73,9 +102,7 @@ RunControl Runner::Control() {
     return morse_.StreamPort(component);
   };
   control.quit = [this] { Stop(); };
-  control.time_mode = [this] {
-    return KeepsStep() ? "Fixed Simulation Step" : "Best Effort";
-  };
+  control.time_mode = [this] { return fixed_steps() ? "Fixed Simulation Step" : "Best Effort"; };
   control.time_statistics = [this] { return Statistics(); };
   control.set_time_scale = [this](double factor) {
     if (options_.pace != Pace::kRealTime) return false;
@@ -115,7 +142,7 @@ Runner::WallClock::time_point Runner::Due(double later) const {
 Json Runner::Statistics() const {
   const double variance = ticks_measured_ > 1.0 ? squares_ / (ticks_measured_ - 1.0) : 0.0;
   Json statistics(Json::Object{{"mean_time", mean_}, {"variance_time", variance}});
-  if (!KeepsStep()) {
+  if (!fixed_steps()) {
     // The rate's variance to first order from the period's.
     const double rate = mean_ > 0.0 ? 1.0 / mean_ : 0.0;
     statistics.Set("mean_frame_by_sec", rate);
@@ -129,8 +156,8 @@ Json Runner::Statistics() const {
 }
 
 // MORSE's strategy, which a scene chooses and its pace does not change.
-bool Runner::KeepsStep() const {
-  return options_.pace != Pace::kRealTime || simulation_.scenario().time.strategy == "max";
+bool Runner::fixed_steps() const {
+  return options_.pace != Pace::kRealTime || simulation_.scenario().time.strategy != "realtime";
 }
 
 bool Runner::HasReaders() const {
@@ -176,6 +203,7 @@ std::optional<Runner::WallClock::time_point> Runner::LetHangingGo(WallClock::dur
 
 void Runner::CloseServers() {
   for (ProtocolServer* server : servers_) server->Close();
+  if (sync_) sync_->Close();
 }
 
 void Runner::Stop() {
@@ -228,6 +256,7 @@ RunSummary Runner::Run() {
     if (first && on_first_tick_) on_first_tick_();
     first = false;
   }
+  if (multinode_ && !stop_) multinode_->Finish();
   RunSummary summary;
   summary.simulated = simulation_.time();
   if (!first) {
@@ -244,7 +273,14 @@ void Runner::WaitForTurn() {
     WaitWhilePaused();
     speed_changed_ = false;
     publish_at_.reset();
-    WaitForPace();
+    if (sync_ && sync_->connected()) {
+      WaitForSync();
+    } else {
+      WaitForPace();
+    }
+    // What came before a request that waits for the next tick acts in it, too, over whichever
+    // connection it came (specs: morse.md E.6).
+    if (options_.pace == Pace::kRealTime) ServeLastOrders();
   } while (!stop_ && (held() || speed_changed_ ||
                       (options_.pace == Pace::kLockstep && !ClientsAreWaiting())));
   if (paused_ && steps_ > 0) --steps_;
@@ -307,6 +343,11 @@ void Runner::WaitToPublish() {
   published_ = *publish_at_;
 }
 
+void Runner::WaitForSync() {
+  while (!stop_ && !held() && !sync_->TakeTick()) io_.run_one();
+  GoOnFromHere();
+}
+
 void Runner::StayAwakeUntil(WallClock::time_point time) {
   while (!stop_ && !held() && !speed_changed_ && WallClock::now() < time) io_.poll_one();
 }
@@ -314,6 +355,14 @@ void Runner::StayAwakeUntil(WallClock::time_point time) {
 void Runner::ServeWhatIsThere() {
   io_.restart();
   for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
+  }
+}
+
+// As that, but the tick is due: a flood of requests does not hold it up.
+void Runner::ServeLastOrders() {
+  const auto until = WallClock::now() + kLastOrders;
+  io_.restart();
+  while (!stop_ && io_.poll_one() > 0 && WallClock::now() < until) {
   }
 }
 

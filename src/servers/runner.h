@@ -14,7 +14,9 @@
 #include "base/wakefulness.h"
 #include "servers/idle_spinners.h"
 #include "servers/morse/morse_server.h"
+#include "servers/morse/multinode.h"
 #include "servers/morse/service_directory.h"
+#include "servers/morse/sync_port.h"
 #include "servers/net/warm_path.h"
 #include "servers/player/player_server.h"
 #include "servers/run_watcher.h"
@@ -43,6 +45,11 @@ struct RunOptions {
   double client_timeout = 10.0;
   /// Serves Player's protocol as well, where given.
   std::optional<player::PlayerServerOptions> player = {};
+  /// MORSE's port of time synchronisation, where given; 0: any free one. Not in lock-step, where
+  /// clients give the time.
+  std::optional<int> sync_port = {};
+  /// The name of this node of the scenario's `multinode`; "": all robots are simulated here.
+  std::string node = {};
 };
 
 /// What a run came to.
@@ -82,6 +89,8 @@ class Runner {
   /// The one door for what changes the simulation.
   ServiceDirectory& directory() { return directory_; }
   MorseServer& morse() { return morse_; }
+  /// Of MORSE's time synchronisation; 0: there is none.
+  int sync_port() const { return sync_ ? sync_->port() : 0; }
   /// nullptr where Player's protocol is not served.
   player::PlayerServer* player() { return player_.get(); }
   /// Stops listening and lets all clients go, so that the ports are free.
@@ -93,8 +102,8 @@ class Runner {
  private:
   using WallClock = std::chrono::steady_clock;
 
+  static sim::Simulation& WithoutExternal(sim::Simulation& simulation, const std::string& node);
   RunControl Control();
-  bool KeepsStep() const;  // FixedSimulationStep
   bool HasReaders() const;
   bool AwaitsNext() const;
   bool HasClients() const;
@@ -110,12 +119,16 @@ class Runner {
   WallClock::time_point Due(double later) const;
   void WaitForTurn();
   void WaitForPace();
+  void WaitForSync();
+  // Time goes in fixed steps, as MORSE calls it, whether or not it is held back to real time.
+  bool fixed_steps() const;
   // Paused, and no step is left to go.
   bool held() const { return paused_ && steps_ == 0; }
   void WaitWhilePaused();
   void GoOnFromHere();  // for the pace
   void SetSpeed(double speed);
   void ServeWhatIsThere();
+  void ServeLastOrders();
   void WaitForClients();
   void SleepUntil(WallClock::time_point time);  // and serve meanwhile
   // Until the data are due that somebody waits for and that were worked out a moment earlier.
@@ -134,6 +147,8 @@ class Runner {
   ServiceDirectory directory_;
   MorseServer morse_;
   std::unique_ptr<player::PlayerServer> player_;
+  std::optional<SyncPort> sync_;
+  std::unique_ptr<Multinode> multinode_;
   std::vector<ProtocolServer*> servers_;  // in the order in which they are told of anything
   std::atomic<bool> stop_ = false;
   std::atomic<bool> at_once_ = false;

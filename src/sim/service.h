@@ -43,6 +43,17 @@ struct ServiceParameter {
   bool optional = false;
 };
 
+/// What becomes of a call of an asynchronous service while one of the same component runs (specs:
+/// morse.md A.5). It is the running one that decides.
+enum class WhileRunning {
+  /// The component ends the running one as PREEMPTED, and starts the new one (@interruptible).
+  kPreempts,
+  /// "A service (...) is already running. I do not know what to do." (MORSE's, where none is said.)
+  kRefused,
+  /// "A non-interruptible service (...) is already running" (@noninterruptible).
+  kNeverPreempted,
+};
+
 /// Something a component does on request; exactly one of the first three functions is set.
 struct Service {
   std::string name;
@@ -56,6 +67,9 @@ struct Service {
   /// False: a question, or a matter of the run around the simulation (its pace, its log, a file).
   /// Calls of all others go into the run's record, so true is what is safe.
   bool changes_simulation = true;
+  /// Of an asynchronous one: whoever calls services sees to the last two; for the first the
+  /// component itself calls the old Completion before it keeps the new one.
+  WhileRunning while_running = WhileRunning::kPreempts;
 };
 
 // Typed access to arguments. Each throws WrongArgument that names the parameter.

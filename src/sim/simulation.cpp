@@ -91,6 +91,7 @@ void Simulation::Act() {
       }
     }
   }
+  if (before_motion_) before_motion_();
   if (physics_) {
     motion_->Step(now, pool_);
     world_.RobotsMoved();

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scene/scenario.h"
@@ -65,6 +67,10 @@ class Simulation {
   /// Robots, devices and dynamic boxes as at the start; time goes on (MORSE's reset_objects).
   void ResetObjects();
 
+  /// Called in each Act() when actuators have acted, just before the robots move: what of a scene
+  /// is simulated elsewhere is put in its place there. Throws what it throws.
+  void set_before_motion(std::function<void()> hook) { before_motion_ = std::move(hook); }
+
   /// With physics off, actuators act but nothing moves (MORSE's suspend_dynamics).
   void set_physics(bool on) { physics_ = on; }
 
@@ -85,6 +91,7 @@ class Simulation {
   std::int64_t shared_from_;  // work of a tick's sensors, Sensor::Work()
   std::optional<FleetMotion> motion_;
   std::optional<ArenaController> arena_;
+  std::function<void()> before_motion_;
   std::uint64_t tick_ = 0;
   bool physics_ = true;
 };

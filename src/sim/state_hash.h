@@ -12,6 +12,14 @@ namespace ccmorse::sim {
 /// Doubles count by their bits, so equal hashes mean equal runs, bit for bit.
 class StateHash {
  public:
+  StateHash() = default;
+  /// As it was when its value() was this one: it goes on from there.
+  static StateHash From(std::uint64_t value) {
+    StateHash hash;
+    hash.value_ = value;
+    return hash;
+  }
+
   void Add(std::uint64_t word) {
     value_ ^= word;
     value_ *= 0x9FB21C651E98DF25ULL;

@@ -10,6 +10,8 @@ void AddProjectCommands(CommandLine& line) {
   AddAddCommand(line);
   AddEditCommand(line);
   AddCheckCommand(line);
+  AddMultinodeServerCommand(line);
+  AddPymorseShimCommand(line);
   AddCompletionCommand(line);
 }
 

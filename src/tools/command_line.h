@@ -50,7 +50,8 @@ class CommandLine {
   std::vector<Command> commands_;
 };
 
-/// All commands that deal with projects: add, check, completion, create, edit, export, import, rm.
+/// All commands that deal with projects: add, check, completion, create, edit, export, import, rm;
+/// and those that bring along what MORSE's users have: multinode-server, pymorse-shim.
 void AddProjectCommands(CommandLine& line);
 
 /// One each, in the file of that name.
@@ -61,6 +62,8 @@ void AddCreateCommand(CommandLine& line);
 void AddEditCommand(CommandLine& line);
 void AddExportCommand(CommandLine& line);
 void AddImportCommand(CommandLine& line);
+void AddMultinodeServerCommand(CommandLine& line);
+void AddPymorseShimCommand(CommandLine& line);
 void AddRmCommand(CommandLine& line);
 
 }  // namespace ccmorse::tools

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -148,6 +150,24 @@ void PrintPlayerPorts(const std::string& bind, const servers::player::PlayerServ
   }
 }
 
+// Which node of its scene this run is; "" when it is none, so that all robots are simulated here.
+// As MORSE has it: --name and MORSE_NODE name the node, else the machine's name does.
+std::string NodeOf(const scene::Scenario& scenario) {
+  if (!scenario.multinode) return "";
+  const char* const given = std::getenv("MORSE_NODE");
+  std::string name = given != nullptr ? given : "";
+  if (name.empty()) {
+    std::array<char, 256> machine{};
+    if (::gethostname(machine.data(), machine.size() - 1) == 0) name = machine.data();
+  }
+  if (scenario.multinode->nodes.count(name) != 0) return name;
+  LogWarning(
+      "'{}' is none of the scene's nodes: all robots are on this one; --name NODE says which "
+      "of them this is",
+      name);
+  return "";
+}
+
 // Prints the state hash every so many ticks.
 class HashPrinter : public servers::RunWatcher {
  public:
@@ -189,6 +209,14 @@ int Run(const RunArguments& arguments) {
   options.morse.listen_socket = arguments.listen_socket;
   options.morse.first_stream_port = arguments.stream_port;
   options.player = PlayerOptions(arguments);
+  // Where any port will do for the services, any will do for this one.
+  if (scenario.time.sync_port != 0) {
+    options.sync_port = arguments.port == 0 ? 0 : scenario.time.sync_port;
+  }
+  options.node = NodeOf(scenario);
+  if (!options.node.empty() && !arguments.record.empty()) {
+    throw Error("a run that several nodes share cannot be recorded; leave --record out");
+  }
   if (arguments.player_port && *arguments.player_port != 0 && scenario.player) {
     LogWarning("--player-port has no effect: {} says on which ports its devices are",
                arguments.scenario);
@@ -249,6 +277,12 @@ int Run(const RunArguments& arguments) {
     const auto [first_stream, last_stream] = runner.morse().stream_ports();
     if (first_stream != 0) fmt::print("Streams on ports {} to {}\n", first_stream, last_stream);
     PrintPlayerPorts(arguments.bind, runner.player());
+    if (runner.sync_port() != 0) {
+      fmt::print("Time synchronisation on {} port {}\n", arguments.bind, runner.sync_port());
+    }
+    if (!options.node.empty()) {
+      fmt::print("Node {} of {}\n", options.node, simulation.scenario().multinode->nodes.size());
+    }
     if (options.pace == servers::Pace::kLockstep) {
       fmt::print("Lock-step: time starts when {}\n",
                  options.clients == 1 ? "a client reads"

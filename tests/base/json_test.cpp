@@ -122,7 +122,10 @@ TEST(Json, ErrorsAreWordedAsPythonWordsThem) {
       {"{\"a\" 2}", "Expecting ':' delimiter: line 1 column 6 (char 5)"},
       {"\"abc", "Unterminated string starting at: line 1 column 1 (char 0)"},
       {"1 2", "Extra data: line 1 column 3 (char 2)"},
-      {"[\n 1,\n x]", "Expecting value: line 3 column 2 (char 7)"}};
+      {"[\n 1,\n x]", "Expecting value: line 3 column 2 (char 7)"},
+      // Characters, not bytes.
+      {"[\"\xC3\xA9\xF0\x9F\x98\x80\",\n\"\xC5\xBE\" x]",
+       "Expecting ',' delimiter: line 2 column 5 (char 11)"}};
   for (const auto& [text, message] : cases) {
     try {
       Json::Parse(text);

@@ -243,13 +243,17 @@ class Scripts(unittest.TestCase):
         self.assertEqual(settings["log_levels"], {"MORSE": "DEBUG"})
         self.assertEqual(settings["camera"]["clip"], [0.1, 1000])
         matters = {note["line"] for note in built.result["notes"] if note["matters"]}
-        self.assertEqual(matters, {11, 21, 22})
+        self.assertEqual(matters, {11, 21})
+        self.assertEqual(built.scene["time"]["sync_port"], 6001)
 
     def test_c4_multinode(self):
         built = Built("multinode.py")
         self.assertEqual(built.settings()["multinode"]["distribution"],
                          {"node A": ["here"], "node B": ["there"]})
-        self.assertEqual([line for line, _ in built.notes()], [7])
+        self.assertEqual(built.scene["multinode"],
+                         {"server": "localhost", "port": 65000,
+                          "nodes": {"node A": ["here"], "node B": ["there"]}})
+        self.assertEqual(built.notes(), [])
 
     def test_c3_bodies(self):
         built = Built("ghosts_and_paint.py")

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -25,13 +26,16 @@ class ServedSimulation {
                             double seconds = 0.0, const MorseServerOptions& limits = {},
                             int clients = 1, const RecordOptions& record = {},
                             double client_timeout = 10.0,
-                            std::vector<player::PortSetup> player = {})
+                            std::vector<player::PortSetup> player = {},
+                            const std::function<void(Runner&)>& prepare = {})
       : simulation_(scene::ParseScenario(scenario, "test.json")),
         recorder_(simulation_, folder_.path() + "/run.mcap", record),
-        runner_(simulation_,
-                Options(pace, seconds, limits, clients, client_timeout, std::move(player))),
+        runner_(simulation_, Options(pace, seconds, limits, clients, client_timeout,
+                                     std::move(player), simulation_.scenario().time.sync_port)),
         port_(runner_.morse().port()),
-        thread_([this] {
+        sync_port_(runner_.sync_port()),
+        thread_([this, prepare] {
+          if (prepare) prepare(runner_);
           runner_.AddWatcher(recorder_);
           summary_ = runner_.Run();
         }) {}
@@ -50,6 +54,8 @@ class ServedSimulation {
   }
 
   int port() const { return port_; }
+  /// Of MORSE's time synchronisation.
+  int sync_port() const { return sync_port_; }
 
   /// Waits for the end of the run; the simulation and the record may be looked at then.
   RunSummary Join() {
@@ -64,13 +70,16 @@ class ServedSimulation {
 
  private:
   static RunOptions Options(Pace pace, double seconds, MorseServerOptions limits, int clients,
-                            double client_timeout, std::vector<player::PortSetup> setup) {
+                            double client_timeout, std::vector<player::PortSetup> setup,
+                            int sync_port) {
     limits.port = 0;
     limits.first_stream_port = 0;
     player::PlayerServerOptions player;
     player.port = 0;
     player.setup = std::move(setup);
-    return {pace, 1.0, seconds, clients, limits, client_timeout, player};
+    RunOptions options{pace, 1.0, seconds, clients, limits, client_timeout, player};
+    if (sync_port != 0) options.sync_port = 0;
+    return options;
   }
 
   testing::TemporaryFolder folder_;
@@ -78,6 +87,7 @@ class ServedSimulation {
   Recorder recorder_;
   Runner runner_;
   int port_;
+  int sync_port_;
   RunSummary summary_;
   std::thread thread_;
 };

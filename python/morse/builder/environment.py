@@ -267,13 +267,13 @@ class Environment(AbstractComponent):
         """Several simulators for one scene."""
         self._multinode = {"protocol": protocol, "server_address": server_address,
                            "server_port": str(server_port), "distribution": distribution or {}}
-        places.note("configure_multinode() is not simulated: all robots are on this node")
+        if protocol != "socket":
+            places.note("multinode over %s is not simulated, 'socket' is: all robots are on this "
+                        "node" % protocol)
 
     def configure_stream_manager(self, stream_manager, **kwargs):
         """Settings of a middleware, for example time_sync=True of 'socket'."""
         Configuration.stream_managers.setdefault(stream_manager, {}).update(kwargs)
-        if kwargs.get("time_sync"):
-            places.note("the time_sync of sockets is not simulated: --pace lockstep is")
 
     def add_service(self, interface, component=None, config=None):
         """Serves `simulation` and the like over this middleware, too."""

@@ -10,6 +10,7 @@ import os
 import sys
 import traceback
 
+import morse
 from morse.builder import places
 
 
@@ -54,6 +55,7 @@ def run_script(script, arguments=()):
     """Runs a script as the main program; returns build()'s scene. Raises what it raises."""
     path = os.path.abspath(script)
     _prepare(path)
+    morse.building = True  # for what may be more than a builder script: morse.testing.testing.main
     # As MORSE does: what is meant for the script follows "--".
     sys.argv = [path, "--"] + list(arguments)
     main = type(sys)("__main__")

@@ -6,7 +6,7 @@ import os
 import re
 
 from morse.builder import bpymorse, data, places
-from morse.builder.abstractcomponent import AbstractComponent
+from morse.builder.abstractcomponent import AbstractComponent, Configuration
 from morse.builder.blenderobjects import Mesh
 from morse.builder.environment import Environment, _stand_in
 from morse.builder.morsebuilder import PassiveObject, Robot, Zone
@@ -18,6 +18,7 @@ _POINT = 0.01  # m: half of a side of what stands for a body that nothing touche
 _AROUND = 5.0  # m of floor around a robot that stands beside it
 # Where on the Earth the world lies: properties of the environment.
 _GEODESY = ("longitude", "latitude", "altitude", "angle_against_north")
+_SYNC_PORT = 6000  # of time_sync, where a script names none
 _SIDEWAYS = ("Destination", "MotionXYW")  # components that take their robot in any direction
 # Properties that the builder itself sets.
 _OF_THE_BUILDER = {"classpath", "robot_tag", "component_tag", "abstraction_level"}
@@ -68,8 +69,38 @@ def build():
     scene["time"] = {"frequency": environment.base_frequency(),
                      "strategy": _STRATEGIES[environment._strategy],
                      "factor": environment._time_scale}
+    sockets = Configuration.stream_managers.get("socket", {})
+    if sockets.get("time_sync"):
+        scene["time"]["sync_port"] = int(sockets.get("sync_port", _SYNC_PORT))
+    if environment._multinode is not None and environment._multinode["protocol"] == "socket":
+        nodes = _nodes(environment, names)
+        if nodes:
+            scene["multinode"] = {"server": environment._multinode["server_address"],
+                                  "port": int(environment._multinode["server_port"]),
+                                  "nodes": nodes}
     return {"scene": scene, "notes": [note.to_json() for note in places.notes],
             "description": _description(environment)}
+
+
+def _nodes(environment, names):
+    """The robots of each node; {} where the distribution is none of all robots."""
+    found = {name: simulated for simulated, name in names.items()}
+    nodes, rest = {}, set(names)
+    for node, robots in environment._multinode["distribution"].items():
+        nodes[str(node)] = []
+        for robot in robots:
+            simulated = found.get(robot)
+            if simulated not in rest:
+                places.note("configure_multinode(): there is no robot %s, or two nodes have it: all "
+                            "robots are on this node" % robot, environment.place)
+                return {}
+            rest.discard(simulated)
+            nodes[str(node)].append(simulated)
+    if rest:
+        places.note("configure_multinode() gives no node the robots %s: all robots are on this node"
+                    % ", ".join(sorted(rest)), environment.place)
+        return {}
+    return nodes
 
 
 # Robots
@@ -116,6 +147,8 @@ def _robot(robot, names):
     components, used = [], set()
     _components(robot, name, _IDENTITY, "", components, used)
     result["components"] = components
+    if "socket" in robot.services:
+        result["services"] = True
     if "body" in result and any(one["type"] in _SIDEWAYS for one in components):
         result["body"]["drive"] = "omni"
         result["body"]["max_side_speed"] = _FASTEST

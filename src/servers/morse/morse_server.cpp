@@ -10,6 +10,7 @@
 #include <deque>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "base/log.h"
@@ -35,6 +36,7 @@ constexpr std::size_t kReadBlock = 64U << 10;
 constexpr std::size_t kFrameBlock = 128U << 10;       // a whole canvas at once
 constexpr const char* kThisProgram = "this program";  // a client's address, in the log
 constexpr auto kTurn = std::chrono::milliseconds(1);  // of one connection before others get theirs
+constexpr Clock::duration kMostForAsking = std::chrono::milliseconds(5);  // see SendStreamsLater()
 
 const char* StatusWord(Outcome outcome) {
   switch (outcome) {
@@ -85,6 +87,9 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
 
   // Answers what is due. Connections may come to their end by it.
   void TellConnections();
+  // Has the lines sent that streams have kept back, now or a little later.
+  void SendStreams();
+  void SendStreamsLater();
 
   asio::io_context& io;
   sim::Simulation& simulation;
@@ -96,8 +101,12 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
   std::set<std::shared_ptr<ServiceConnection>, Earlier> connections;
   std::vector<std::shared_ptr<ServiceConnection>> told;  // scratch of TellConnections()
   std::vector<std::shared_ptr<Stream>> streams;
+  std::unordered_map<const sim::Component*, Stream*> stream_of;
   std::size_t stream_clients = 0;
-  int readers_ever = 0;  // connections that have sent a read
+  asio::steady_timer stream_timer{io};
+  bool streams_wait = false;   // lines of the last Sense() have not been sent yet
+  bool answered_late = false;  // an asynchronous service has ended since the last Sense()
+  int readers_ever = 0;        // connections that have sent a read
   bool sensed_once = false;
   std::uint64_t sensed_tick = 0;  // of the last Sense()
   std::string ended;              // why reads fail, once the run is over
@@ -361,7 +370,9 @@ class MorseServer::ServiceConnection
           if (!self || self->shared_.closed) return;
           self->pending_.erase(running);
           self->Reply(id, result);
-          if (!self->serving_) self->Flush();
+          if (self->serving_) return;
+          self->Flush();
+          self->shared_.answered_late = true;
         });
     if (request.service == "get_local_data") {
       const auto* sensor = dynamic_cast<sim::Sensor*>(shared_.simulation.FindComponent(component));
@@ -644,20 +655,27 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
   int port() const { return listener_->port(); }
   const sim::Component& component() const { return component_; }
 
+  // The sensor has new data for its clients.
   void Publish() {
     if (sensor_ == nullptr || clients_.empty()) return;
-    const std::string& data = sensor_->LocalData();
+    line_ = sensor_->LocalData();
+    line_ += '\n';
+  }
+
+  // Sends what was published and not sent yet.
+  void Send() {
+    if (line_.empty()) return;
     bool sent = false;
     for (const auto& client : std::vector(clients_.begin(), clients_.end())) {
       // A slow reader misses lines; it never holds up the simulation (specs: morse.md A.3).
       if (client->outbox.busy()) continue;
-      client->outbox.text() += data;
-      client->outbox.text() += '\n';
+      client->outbox.text() += line_;
       client->outbox.Flush(client, [this, client](ErrorCode error) {
         if (error) Drop(client);
       });
       sent = true;
     }
+    line_.clear();
     if (sent) shared_.directory.sample_use().Count(*sensor_);
   }
 
@@ -755,7 +773,25 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
   std::shared_ptr<Listener> listener_;
   WarningLimit warnings_;
   std::set<std::shared_ptr<Client>, Earlier> clients_;
+  std::string line_;  // to be sent
 };
+
+void MorseServer::Shared::SendStreams() {
+  streams_wait = false;
+  for (const auto& stream : streams) stream->Send();
+}
+
+// A client that has slept until now asks for a sensor's next line, and means that of this tick
+// (specs: morse.md E.6): it gets the time to ask.
+void MorseServer::Shared::SendStreamsLater() {
+  streams_wait = true;
+  const std::chrono::duration<double> quarter(0.25 / simulation.scenario().time.frequency);
+  stream_timer.expires_after(
+      std::min(std::chrono::duration_cast<Clock::duration>(quarter), kMostForAsking));
+  stream_timer.async_wait([shared = shared_from_this()](ErrorCode error) {
+    if (!error && !shared->closed) shared->SendStreams();
+  });
+}
 
 MorseServer::MorseServer(asio::io_context& io, sim::Simulation& simulation,
                          ServiceDirectory& directory, const Pace& pace,
@@ -778,6 +814,7 @@ MorseServer::MorseServer(asio::io_context& io, sim::Simulation& simulation,
     auto stream = std::make_shared<Stream>(*shared_, *component);
     stream->Open(next_port);
     if (next_port != 0) next_port = stream->port() + 1;
+    shared_->stream_of[component] = stream.get();
     shared_->streams.push_back(std::move(stream));
   }
 }
@@ -786,6 +823,7 @@ MorseServer::~MorseServer() { Close(); }
 
 void MorseServer::Close() {
   shared_->closed = true;
+  shared_->stream_timer.cancel();
   shared_->listener->Close();
   for (const auto& stream : shared_->streams) stream->Close();
   for (const auto& connection : shared_->connections) connection->Close();
@@ -806,10 +844,8 @@ int MorseServer::Connect() {
 int MorseServer::port() const { return shared_->options.listen ? shared_->listener->port() : 0; }
 
 int MorseServer::StreamPort(const sim::Component& component) const {
-  for (const auto& stream : shared_->streams) {
-    if (&stream->component() == &component) return stream->port();
-  }
-  return 0;
+  const auto found = shared_->stream_of.find(&component);
+  return found != shared_->stream_of.end() ? found->second->port() : 0;
 }
 
 std::pair<int, int> MorseServer::stream_ports() const {
@@ -824,10 +860,19 @@ std::pair<int, int> MorseServer::stream_ports() const {
 void MorseServer::Sensed() {
   shared_->sensed_once = true;
   shared_->sensed_tick = shared_->simulation.tick();
-  const auto& sampled = shared_->simulation.sampled();
-  for (const auto& stream : shared_->streams) {
-    const auto found = std::find(sampled.begin(), sampled.end(), &stream->component());
-    if (found != sampled.end() && (*found)->HasNews()) stream->Publish();
+  // Those of the last tick come first.
+  if (shared_->streams_wait) {
+    shared_->stream_timer.cancel();
+    shared_->SendStreams();
+  }
+  for (const sim::Sensor* sensor : shared_->simulation.sampled()) {
+    const auto stream = shared_->stream_of.find(sensor);
+    if (stream != shared_->stream_of.end() && sensor->HasNews()) stream->second->Publish();
+  }
+  if (std::exchange(shared_->answered_late, false) && shared_->pace.name == "realtime") {
+    shared_->SendStreamsLater();
+  } else {
+    shared_->SendStreams();
   }
   shared_->TellConnections();
 }

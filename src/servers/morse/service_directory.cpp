@@ -57,6 +57,27 @@ std::string ArityComplaint(const Service& service, std::size_t given) {
          (given == 0 ? " was" : " were") + " given";
 }
 
+// Where text is no UTF-8; its length where it is.
+std::size_t EndOfUtf8(std::string_view text) {
+  const auto byte = [text](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  for (std::size_t i = 0; i < text.size();) {
+    const unsigned first = byte(i);
+    const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+    if (first >= 0x80 && (first < 0xC2 || first > 0xF4)) return i;
+    // The second byte's limits keep out what could be written shorter, halves of pairs, and more
+    // than there is.
+    const unsigned low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+    const unsigned high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+    for (std::size_t k = 1; k < length; ++k) {
+      if (byte(i + k) < (k == 1 ? low : 0x80) || byte(i + k) > (k == 1 ? high : 0xBF)) return i;
+    }
+    i += length;
+  }
+  return text.size();
+}
+
 void Fail(const sim::Completion& done, std::string text) {
   done({Outcome::kFailed, Json(std::move(text))});
 }
@@ -84,6 +105,83 @@ Vec3 PointArgument(Arguments arguments, std::size_t index, const char* name) {
 
 Json ToJson(Vec3 v) { return Json(Json::Array{v.x, v.y, v.z}); }
 
+bool BoolArgument(Arguments arguments, std::size_t index, const char* name) {
+  const Json& value = arguments[index];
+  if (!value.IsBool()) {
+    throw WrongArgument(std::string(name) + " must be true or false, not " + value.TypeName());
+  }
+  return value.AsBool();
+}
+
+using Matrix4 = std::array<double, 16>;
+
+Matrix4 MatrixArgument(Arguments arguments, std::size_t index, const char* name) {
+  const auto wrong = [name] {
+    return WrongArgument(std::string(name) + " must be 4 rows of 4 numbers");
+  };
+  const Json& rows = arguments[index];
+  if (!rows.IsArray() || rows.AsArray().size() != 4) throw wrong();
+  Matrix4 matrix{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Json& row = rows.AsArray()[i];
+    if (!row.IsArray() || row.AsArray().size() != 4) throw wrong();
+    for (std::size_t k = 0; k < 4; ++k)
+      matrix[4 * i + k] = sim::NumberArgument(row.AsArray(), k, name);
+  }
+  return matrix;
+}
+
+Json MatrixJson(const Matrix4& matrix) {
+  Json::Array rows;
+  for (std::size_t i = 0; i < 4; ++i) {
+    rows.push_back(Json::Array(matrix.begin() + static_cast<std::ptrdiff_t>(4 * i),
+                               matrix.begin() + static_cast<std::ptrdiff_t>(4 * i + 4)));
+  }
+  return Json(std::move(rows));
+}
+
+Matrix4 CameraTransform(Vec3 position, Vec3 euler) {
+  const auto [x, y, z] = FromEuler(euler.x, euler.y, euler.z);
+  return {x.x, y.x, z.x, position.x, x.y, y.y, z.y, position.y,
+          x.z, y.z, z.z, position.z, 0.0, 0.0, 0.0, 1.0};
+}
+
+// The camera that MORSE's scenes have: focal length 20 of 32 wide, clipped at 0.1 m, and a picture
+// of 4 : 3, as OpenGL writes a projection.
+Matrix4 PerspectiveProjection(double far_clip = 100.0) {
+  constexpr double kNear = 0.1;
+  constexpr double kScale = 2.0 * 20.0 / 32.0;
+  return {kScale,
+          0.0,
+          0.0,
+          0.0,
+          0.0,
+          kScale * 4.0 / 3.0,
+          0.0,
+          0.0,
+          0.0,
+          0.0,
+          -(far_clip + kNear) / (far_clip - kNear),
+          -2.0 * far_clip * kNear / (far_clip - kNear),
+          0.0,
+          0.0,
+          -1.0,
+          0.0};
+}
+
+// [value, type, doc, python attribute] by name, as MORSE lists properties.
+Json PropertyTable(const Json& properties) {
+  Json table(Json::Object{});
+  for (const auto& [key, value] : properties.AsObject()) {
+    const char* const type = value.IsBool()     ? "bool"
+                             : value.IsInt()    ? "int"
+                             : value.IsNumber() ? "float"
+                                                : "string";
+    table.Set(key, Json::Array{value, type, "", key});
+  }
+  return table;
+}
+
 Json YawQuaternion(double yaw) {
   const auto [s, c] = SinCos(yaw / 2.0);
   return Json(Json::Array{0.0, 0.0, s, c});
@@ -92,13 +190,17 @@ Json YawQuaternion(double yaw) {
 }  // namespace
 
 ServiceDirectory::ServiceDirectory(sim::Simulation& simulation, RunControl control)
-    : simulation_(simulation),
-      control_(std::move(control)),
-      camera_(simulation.scenario().camera.position) {
+    : simulation_(simulation), control_(std::move(control)) {
   for (sim::Component* component : simulation_.components()) {
     if (component->served()) AddComponentServices(*component);
   }
+  for (const auto& robot : simulation_.robots()) {
+    if (robot->def().services) AddRobotServices(*robot);
+  }
   AddSimulationServices();
+  AddStreamServices();
+  AddObjectServices();
+  AddCameraServices();
   AddTimeServices();
   AddCommunicationServices();
   AddRunServices();
@@ -140,15 +242,19 @@ void ServiceDirectory::Call(std::string_view component, std::string_view service
   Json::Array arguments;
   if (!parameters.empty()) {
     std::string reason;
-    try {
-      Json parsed = Json::Parse(parameters);
-      if (parsed.IsArray()) {
-        arguments = std::move(parsed.AsArray());
-      } else {
-        reason = std::string("Expecting a list, not ") + parsed.TypeName();
+    if (const std::size_t end = EndOfUtf8(parameters); end < parameters.size()) {
+      reason = "No UTF-8 at byte " + std::to_string(end);
+    } else {
+      try {
+        Json parsed = Json::Parse(parameters);
+        if (parsed.IsArray()) {
+          arguments = std::move(parsed.AsArray());
+        } else {
+          reason = std::string("Expecting a list, not ") + parsed.TypeName();
+        }
+      } catch (const JsonError& error) {
+        reason = error.what();
       }
-    } catch (const JsonError& error) {
-      reason = error.what();
     }
     if (!reason.empty()) {
       constexpr std::size_t kShown = 1000;
@@ -186,7 +292,7 @@ void ServiceDirectory::Run(const Target& target, Arguments arguments, const sim:
       Json value = service.run(arguments);
       done({Outcome::kSuccess, std::move(value)});
     } else {
-      service.start(arguments, done);
+      Start(target, arguments, done);
     }
   } catch (const ServiceFailed& error) {
     Fail(done, error.what());
@@ -198,15 +304,47 @@ void ServiceDirectory::Run(const Target& target, Arguments arguments, const sim:
   }
 }
 
+// One asynchronous service of a component at a time (specs: morse.md A.5).
+void ServiceDirectory::Start(const Target& target, Arguments arguments,
+                             const sim::Completion& done) {
+  std::shared_ptr<Running>& slot = running_[*target.component];
+  const std::shared_ptr<Running> before = slot;
+  if (before != nullptr && !before->over) {
+    switch (before->policy) {
+      case sim::WhileRunning::kPreempts:
+        break;
+      case sim::WhileRunning::kRefused:
+        throw ServiceFailed("A service (" + before->service +
+                            ") is already running. I do not know what to do.");
+      case sim::WhileRunning::kNeverPreempted:
+        throw ServiceFailed("A non-interruptible service (" + before->service +
+                            ") is already running");
+    }
+  }
+  const auto now = std::make_shared<Running>();
+  now->service = target.service->name;
+  now->policy = target.service->while_running;
+  slot = now;
+  try {
+    target.service->start(arguments, [now, done](const sim::ServiceResult& result) {
+      now->over = true;
+      done(result);
+    });
+  } catch (...) {
+    slot = before;  // what it did not preempt goes on
+    throw;
+  }
+}
+
 // What a program that is judged may not do: put robots or obstacles somewhere, switch physics or
 // devices, have a scanner see something else, or ask where everything is.
 bool ServiceDirectory::IsRefused(std::string_view component, std::string_view service) const {
   if (!contest_) return false;
   if (component == "arena" || service == "mirror") return true;
-  static constexpr std::array<std::string_view, 8> kRefused = {
-      "reset_objects",    "activate",         "deactivate",
-      "suspend_dynamics", "restore_dynamics", "set_object_position",
-      "mirror_pose",      "get_scene_objects"};
+  static constexpr std::array<std::string_view, 9> kRefused = {
+      "reset_objects",    "activate",          "deactivate",
+      "suspend_dynamics", "restore_dynamics",  "set_object_position",
+      "mirror_pose",      "get_scene_objects", "set_object_dynamics"};
   return component == "simulation" &&
          std::find(kRefused.begin(), kRefused.end(), service) != kRefused.end();
 }
@@ -307,19 +445,10 @@ void ServiceDirectory::AddComponentServices(sim::Component& component) {
                                           {"translation", ToJson(component.mount())}});
                          return Json(Json::Object{{"configurations", std::move(configurations)}});
                        }});
-  AddQuery(full_name, {"get_properties", {}, [&component](Arguments) {
-                         // [value, type, doc, python attribute], as MORSE lists a property.
-                         Json properties(Json::Object{});
-                         const Json configurations = component.Configurations();
-                         for (const auto& [key, value] : configurations.AsObject()) {
-                           const char* const type = value.IsBool()     ? "bool"
-                                                    : value.IsInt()    ? "int"
-                                                    : value.IsNumber() ? "float"
-                                                                       : "string";
-                           properties.Set(key, Json::Array{value, type, "", key});
-                         }
-                         return Json(Json::Object{{"properties", std::move(properties)}});
-                       }});
+  AddQuery(full_name,
+           {"get_properties", {}, [&component](Arguments) {
+              return Json(Json::Object{{"properties", PropertyTable(component.Configurations())}});
+            }});
   Add(full_name,
       {"set_property", {{"name"}, {"value"}}, [&component](Arguments arguments) -> Json {
          const std::string& property = sim::StringArgument(arguments, 0, "name");
@@ -356,30 +485,10 @@ void ServiceDirectory::AddSimulationServices() {
   };
   add_query("list_robots", {}, [this](Arguments) {
     Json::Array names;
-    for (const auto& robot : simulation_.robots()) names.push_back(robot->name());
-    return Json(std::move(names));
-  });
-  add_query("list_streams", {}, [this](Arguments) {
-    Json::Array names;
-    for (const sim::Component* component : simulation_.components()) {
-      if (HasStream(*component)) names.push_back(component->full_name());
+    for (const auto& robot : simulation_.robots()) {
+      if (!IsExternal(*robot)) names.push_back(robot->name());
     }
     return Json(std::move(names));
-  });
-  add_query("get_stream_port", {{"name"}}, [this](Arguments arguments) {
-    const std::string& name = sim::StringArgument(arguments, 0, "name");
-    const sim::Component* component = simulation_.FindComponent(name);
-    const int port = component == nullptr ? 0 : control_.stream_port(*component);
-    if (port == 0) throw ServiceFailed("Stream unavailable for component " + name);
-    return Json(port);
-  });
-  add_query("get_all_stream_ports", {}, [this](Arguments) {
-    Json ports(Json::Object{});
-    for (const sim::Component* component : simulation_.components()) {
-      const int port = control_.stream_port(*component);
-      if (port != 0) ports.Set(component->full_name(), port);
-    }
-    return ports;
   });
   add_query("details", {}, [this](Arguments) { return Details(); });
   add("reset_objects", {}, [this](Arguments) {
@@ -422,20 +531,135 @@ void ServiceDirectory::AddSimulationServices() {
     return Json();
   });
   add_query("get_scene_objects", {}, [this](Arguments) { return SceneObjects(); });
+  add("mirror_pose", {{"robot"}, {"pose"}}, [this](Arguments arguments) {
+    MirrorPose(arguments);
+    return Json();
+  });
+}
+
+// MORSE has these three only where a component has a stream: its manager of streams makes them
+// (specs: morse.md A.1).
+void ServiceDirectory::AddStreamServices() {
+  const auto& components = simulation_.components();
+  if (std::none_of(components.begin(), components.end(),
+                   [](const sim::Component* component) { return HasStream(*component); })) {
+    return;
+  }
+  AddQuery("simulation", {"list_streams", {}, [this](Arguments) {
+                            Json::Array names;
+                            for (const sim::Component* component : simulation_.components()) {
+                              if (HasStream(*component)) names.push_back(component->full_name());
+                            }
+                            return Json(std::move(names));
+                          }});
+  AddQuery("simulation", {"get_stream_port", {{"name"}}, [this](Arguments arguments) {
+                            const std::string& name = sim::StringArgument(arguments, 0, "name");
+                            const sim::Component* component = simulation_.FindComponent(name);
+                            const int port =
+                                component == nullptr ? 0 : control_.stream_port(*component);
+                            if (port == 0)
+                              throw ServiceFailed("Stream unavailable for component " + name);
+                            return Json(port);
+                          }});
+  AddQuery("simulation", {"get_all_stream_ports", {}, [this](Arguments) {
+                            Json ports(Json::Object{});
+                            for (const sim::Component* component : simulation_.components()) {
+                              const int port = control_.stream_port(*component);
+                              if (port != 0) ports.Set(component->full_name(), port);
+                            }
+                            return ports;
+                          }});
+}
+
+void ServiceDirectory::AddObjectServices() {
+  const auto add = [this](const char* name, std::vector<sim::ServiceParameter> parameters,
+                          std::function<Json(Arguments)> run) {
+    Add("simulation", {name, std::move(parameters), std::move(run)});
+  };
   add("set_object_position", {{"object_name"}, {"position"}, {"orientation", true}},
       [this](Arguments arguments) {
         PlaceObject(arguments);
         return Json();
       });
-  add("mirror_pose", {{"robot"}, {"pose"}}, [this](Arguments arguments) {
-    MirrorPose(arguments);
-    return Json();
+  const auto known = [this](const std::string& name) {
+    if (SceneObjects().Find(name) == nullptr) {
+      throw ServiceFailed("Object '" + name + "' does not appear in the scene.");
+    }
+  };
+  // In MORSE, too, what is not seen by people is still seen by scanners.
+  add("set_object_visibility", {{"object_name"}, {"visible"}, {"do_children"}},
+      [known](Arguments arguments) {
+        known(sim::StringArgument(arguments, 0, "object_name"));
+        BoolArgument(arguments, 2, "do_children");
+        return Json(BoolArgument(arguments, 1, "visible"));
+      });
+  add("set_object_dynamics", {{"object_name"}, {"state"}}, [this, known](Arguments arguments) {
+    const std::string& name = sim::StringArgument(arguments, 0, "object_name");
+    const bool state = BoolArgument(arguments, 1, "state");
+    known(name);
+    if (sim::Robot* const robot = simulation_.FindRobot(name)) robot->set_dynamics(state);
+    return Json(state);
   });
-  add("set_camarafp_position", {{"position"}}, [this](Arguments arguments) {
-    camera_ = PointArgument(arguments, 0, "position");
-    return ToJson(camera_);
+}
+
+// MORSE's spelling of the names.
+void ServiceDirectory::AddCameraServices() {
+  const auto add = [this](const char* name, std::vector<sim::ServiceParameter> parameters,
+                          std::function<Json(Arguments)> run) {
+    Add("simulation", {name, std::move(parameters), std::move(run)});
+  };
+  const scene::CameraDef& camera = simulation_.scenario().camera;
+  camera_ = CameraTransform(camera.position, camera.rotation);
+  projection_ = PerspectiveProjection();
+  const auto place = [this] { return ToJson({camera_[3], camera_[7], camera_[11]}); };
+  add("set_camarafp_position", {{"position"}}, [this, place](Arguments arguments) {
+    const Vec3 position = PointArgument(arguments, 0, "position");
+    camera_[3] = position.x;
+    camera_[7] = position.y;
+    camera_[11] = position.z;
+    return place();
   });
-  add_query("get_camarafp_position", {}, [this](Arguments) { return ToJson(camera_); });
+  add("get_camarafp_position", {}, [place](Arguments) { return place(); });
+  add("set_camarafp_transform", {{"transform"}}, [this](Arguments arguments) {
+    camera_ = MatrixArgument(arguments, 0, "transform");
+    return MatrixJson(camera_);
+  });
+  add("get_camarafp_transform", {}, [this](Arguments) { return MatrixJson(camera_); });
+  add("set_camarafp_projection_matrix", {{"projection"}}, [this](Arguments arguments) {
+    projection_ = MatrixArgument(arguments, 0, "projection");
+    return MatrixJson(projection_);
+  });
+  add("get_camarafp_projection_matrix", {}, [this](Arguments) { return MatrixJson(projection_); });
+  add("set_camarafp_far_clip", {{"far_clip"}}, [this](Arguments arguments) {
+    const double far_clip = sim::NumberArgument(arguments, 0, "far_clip");
+    if (far_clip <= 0.0) return Json(0);
+    projection_ = PerspectiveProjection(std::clamp(far_clip, 1.0, 1e9));  // of finite numbers
+    return arguments[0];
+  });
+}
+
+// What a script exposes by the robot's own add_service. MORSE's get_configurations of a robot asks
+// for the robot that it is mounted on, and fails.
+void ServiceDirectory::AddRobotServices(sim::Robot& robot) {
+  const std::string& name = robot.name();
+  AddQuery(name,
+           {"get_properties", {}, [&robot](Arguments) {
+              return Json(Json::Object{{"properties", PropertyTable(robot.def().properties)}});
+            }});
+  AddQuery(name, {"set_property", {{"name"}, {"value"}}, [&robot](Arguments arguments) -> Json {
+                    const std::string& property = sim::StringArgument(arguments, 0, "name");
+                    if (robot.def().properties.Find(property) == nullptr) {
+                      throw ServiceFailed("Property " + property + " does not exist for object " +
+                                          robot.name());
+                    }
+                    throw ServiceFailed("Property " + property + " of " + robot.name() +
+                                        " is fixed when the simulation starts; set it in the "
+                                        "scenario");
+                  }});
+  AddQuery(name, {"get_configurations", {}, [&robot](Arguments) -> Json {
+                    throw WrongArgument("'" + robot.def().type +
+                                        "' object has no attribute 'robot_parent'");
+                  }});
 }
 
 Json ServiceDirectory::Details() const {
@@ -445,6 +669,7 @@ Json ServiceDirectory::Details() const {
       "morse.middleware.socket_datastream.SocketDatastreamManager";
   Json::Array robots;
   for (const auto& robot : simulation_.robots()) {
+    if (IsExternal(*robot)) continue;
     Json components(Json::Object{});
     for (const auto& component : robot->components()) {
       Json::Array services;
@@ -471,9 +696,17 @@ Json ServiceDirectory::Details() const {
       }
       components.Set(name, std::move(entry));
     }
-    robots.push_back(Json::Object{{"name", robot->name()},
-                                  {"type", robot->def().type},
-                                  {"components", std::move(components)}});
+    Json entry(Json::Object{{"name", robot->name()},
+                            {"type", robot->def().type},
+                            {"components", std::move(components)}});
+    const auto own = services_.find(robot->name());
+    if (own != services_.end()) {
+      Json::Array services;
+      for (const auto& [name, service] : own->second) services.push_back(name);
+      entry.Set("services", std::move(services));
+      entry.Set("services_interfaces", kServiceInterfaces);  // MORSE's spelling, here alone
+    }
+    robots.push_back(std::move(entry));
   }
   return Json(Json::Object{{"robots", std::move(robots)},
                            {"environment", simulation_.world().scene().name}});
@@ -551,16 +784,13 @@ void ServiceDirectory::AddTimeServices() {
     }
     return Json(control_.set_time_scale(factor));
   });
-  AddQuery(
-      "time",
-      {"sleep", {{"delay"}}, nullptr, [this](Arguments arguments, sim::Completion done) {
-         const double delay = sim::NumberArgument(arguments, 0, "delay");
-         if (sleeper_) {
-           throw ServiceFailed("A service (sleep) is already running. I do not know what to do.");
-         }
-         alarm_ = simulation_.time() + delay;
-         sleeper_ = std::move(done);
-       }});
+  Service sleep{"sleep", {{"delay"}}, nullptr, [this](Arguments arguments, sim::Completion done) {
+                  const double delay = sim::NumberArgument(arguments, 0, "delay");
+                  alarm_ = simulation_.time() + delay;
+                  sleeper_ = std::move(done);
+                }};
+  sleep.while_running = sim::WhileRunning::kRefused;
+  AddQuery("time", std::move(sleep));
 }
 
 TimeState ServiceDirectory::time_state() const {

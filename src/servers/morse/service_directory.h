@@ -1,10 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "servers/sample_use.h"
@@ -89,6 +93,9 @@ class ServiceDirectory {
   /// The same for a service that takes bytes (sim::Service::bytes); kFailed when it does not.
   void RunBytes(const Target& target, std::string_view bytes, const sim::Completion& done);
 
+  /// One more service, of a component or of something that is called like one; before the run.
+  void Add(const std::string& component, sim::Service service);
+
   /// Gives an actuator a message of its stream. Throws WrongArgument when it is not what the
   /// actuator needs.
   void Receive(sim::Actuator& actuator, const Json& message);
@@ -125,6 +132,10 @@ class ServiceDirectory {
   /// The first kMostRefusals of them.
   const std::vector<Refusal>& refusals() const { return refusals_; }
 
+  /// Robots that other simulators have (specs: morse.md A.7): they are in the scene, and no more.
+  /// Before the run.
+  void set_external(std::set<std::string> robots) { external_ = std::move(robots); }
+
   /// How time is to go on now.
   TimeState time_state() const;
 
@@ -146,9 +157,14 @@ class ServiceDirectory {
   void AddTimeServices();
   void AddCommunicationServices();
   void AddRunServices();
-  void Add(const std::string& component, sim::Service service);
+  void AddStreamServices();
+  void AddObjectServices();
+  void AddCameraServices();
+  void AddRobotServices(sim::Robot& robot);
+  void Start(const Target& target, sim::Arguments arguments, const sim::Completion& done);
   /// The same for one that changes nothing simulated.
   void AddQuery(const std::string& component, sim::Service service);
+  bool IsExternal(const sim::Robot& robot) const { return external_.count(robot.name()) != 0; }
   Json Details() const;
   Json SceneObjects() const;
   bool IsRefused(std::string_view component, std::string_view service) const;
@@ -161,7 +177,15 @@ class ServiceDirectory {
   RunControl control_;
   Table services_;
   SampleUse sample_use_;
-  Vec3 camera_;
+  std::array<double, 16> camera_{};      // 4 x 4, by rows: where the view's camera stands
+  std::array<double, 16> projection_{};  // 4 x 4, by rows: how it sees
+  // The asynchronous service that runs on a component.
+  struct Running {
+    std::string service;
+    sim::WhileRunning policy = sim::WhileRunning::kPreempts;
+    bool over = false;
+  };
+  std::map<std::string, std::shared_ptr<Running>, std::less<>> running_;
   double alarm_ = 0.0;  // s, simulated; of the one sleeper
   sim::Completion sleeper_;
   struct Stepper {
@@ -169,6 +193,7 @@ class ServiceDirectory {
     sim::Completion done;
   };
   std::vector<Stepper> steppers_;
+  std::set<std::string> external_;
   InputTap input_tap_;
   bool contest_ = false;
   std::vector<Refusal> refusals_;

@@ -68,9 +68,11 @@ void Robot::Command(const Twist& twist, const Actuator* by) {
 
 void Robot::Move(const Instant& now, std::span<const Obstacle* const> obstacles) {
   const bool touched_before = stalled_;
-  twist_ = command_;
+  twist_ = dynamics_ ? command_ : Twist{};
   stalled_ = false;
-  if (command_.v != 0.0 || command_.w != 0.0 || command_.side != 0.0) {
+  if (!dynamics_) {
+    // It stays.
+  } else if (command_.v != 0.0 || command_.w != 0.0 || command_.side != 0.0) {
     const MotionResult moved = DriveUntilContact(footprint_, pose_, command_.v, command_.w,
                                                  now.step, obstacles, command_.side);
     pose_ = moved.pose;
@@ -118,6 +120,7 @@ const Obstacle& Robot::outline() const {
 
 void Robot::Reset() {
   Place(def_.pose);
+  dynamics_ = true;
   driver_ = nullptr;
   tally_ = {};
   for (const auto& component : components_) component->Reset();

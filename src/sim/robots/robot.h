@@ -55,6 +55,13 @@ class Robot {
   /// drives from now on: where two are mounted, the one commanded last has the robot.
   void Command(const Twist& twist, const Actuator* by);
   const Actuator* driver() const { return driver_; }
+  /// What it was told last, after clamping.
+  const Twist& command() const { return command_; }
+
+  /// A robot whose dynamics are off stays where it is, whatever it is told (MORSE's
+  /// set_object_dynamics).
+  void set_dynamics(bool on) { dynamics_ = on; }
+  bool dynamics() const { return dynamics_; }
 
   /// One physics step among the given obstacles.
   void Move(const Instant& now, std::span<const Obstacle* const> obstacles);
@@ -98,6 +105,7 @@ class Robot {
   Twist twist_;
   const Actuator* driver_ = nullptr;
   bool stalled_ = false;
+  bool dynamics_ = true;
   RobotTally tally_;
   mutable Obstacle outline_;         // placed when somebody asks
   mutable bool outline_old_ = true;  // it is where the robot was
