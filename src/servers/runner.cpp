@@ -196,6 +196,7 @@ RunSummary Runner::Run() {
   while (!Over()) {
     simulation_.Sense();
     sensed = true;
+    for (RunParticipant* participant : participants_) participant->Sensed();
     for (RunWatcher* watcher : watchers_) watcher->Sensed();
     for (ProtocolServer* server : servers_) server->Sensed();
     WaitForTurn();
@@ -205,6 +206,7 @@ RunSummary Runner::Run() {
       paused_for_ = {};
     }
     for (ProtocolServer* server : servers_) server->ApplyInputs();
+    for (RunParticipant* participant : participants_) participant->BeforeAct();
     simulation_.Act();
     sensed = false;
     for (RunWatcher* watcher : watchers_) watcher->Acted();
