@@ -103,13 +103,18 @@ class Canvas:
 
     def __init__(self, state, size, world):
         self._state = state
-        self._world = world
+        self._world, self._low = world[:2], world[2:]
         self.width, self.height = size
 
     @property
     def cell_size(self):
         """m"""
         return max(self._world[0] / self.width, self._world[1] / self.height)
+
+    def cell_at(self, x, y):
+        """The cell of a place in the world, m."""
+        return (math.floor((x - self._low[0]) / self.cell_size),
+                math.floor((y - self._low[1]) / self.cell_size))
 
     def set_pixel(self, x, y, color, alpha=1.0):
         """Draws a cell: red, green, blue of 0..255; alpha 0..1."""

@@ -84,7 +84,8 @@ Json PythonHost::Scene(bool anew) const {
   for (const sim::OwnComponent* component : components_) components.push_back(Birth(*component, anew));
   return Json(Json::Object{{"robots", std::move(robots)},
                            {"canvas", Json::Array{canvas.width(), canvas.height()}},
-                           {"world", Json::Array{scenario.world.size_x, scenario.world.size_y}},
+                           {"world", Json::Array{scenario.world.size_x, scenario.world.size_y,
+                                                 scenario.world.low.x, scenario.world.low.y}},
                            {"frequency", scenario.time.frequency},
                            {"seed", static_cast<std::int64_t>(scenario.seed)},
                            {"time", simulation_.time()},

@@ -1,0 +1,1 @@
+from .pen import Pen
