@@ -23,11 +23,11 @@ extern "C" {
 struct CCMorseValue {
   enum Kind { kNone = 0, kFlag = 1, kNumber = 2, kText = 3, kNumbers = 4 };
   int kind;
-  int flag;               ///< 0 or 1
+  int flag;  ///< 0 or 1
   double number;
-  const char* text;       ///< UTF-8, ends with a zero
+  const char* text;  ///< UTF-8, ends with a zero
   const double* numbers;
-  size_t size;            ///< of numbers
+  size_t size;  ///< of numbers
 };
 
 /// What the simulator offers to one component; `self` is the pointer of the same name.
@@ -61,8 +61,8 @@ struct CCMorseHost {
 struct CCMorsePlugin {
   int version;  ///< CCMORSE_PLUGIN_VERSION of the header that it was built with
   int is_actuator;
-  const char* type;                               ///< name of the class
-  void* (*make)(const CCMorseHost* host);         ///< null: it has told `fail`
+  const char* type;                        ///< name of the class
+  void* (*make)(const CCMorseHost* host);  ///< null: it has told `fail`
   void (*destroy)(void* component);
   void (*act)(void* component);
   void (*call)(void* component, size_t service, const CCMorseValue* arguments, size_t size);
@@ -173,8 +173,8 @@ class Component {
     const CCMorseValue raw = first.Raw();
     host_->add_data(host_->self, name, &raw);
   }
-  /// What scripts set by properties(NAME=...), clients by set_property: kept in `value`, a double, a
-  /// bool or a std::string that lives as long as the component.
+  /// What scripts set by properties(NAME=...), clients by set_property: kept in `value`, a double,
+  /// a bool or a std::string that lives as long as the component.
   template <typename T>
   void AddProperty(const char* name, T* value) {
     const Value first(*value);
@@ -334,16 +334,11 @@ struct PluginOf {
 }  // namespace ccmorse
 
 /// Makes a class, which derives from ccmorse::Sensor or ccmorse::Actuator, the plug-in of its file.
-#define CCMORSE_PLUGIN(Class)                                                                    \
-  extern "C" __attribute__((visibility("default"))) const CCMorsePlugin* ccmorse_plugin() {      \
-    using Functions = ccmorse::PluginOf<Class>;                                                  \
-    static const CCMorsePlugin plugin = {CCMORSE_PLUGIN_VERSION,                                 \
-                                         Class::kIsActuator,                                     \
-                                         #Class,                                                 \
-                                         &Functions::Make,                                       \
-                                         &Functions::Destroy,                                    \
-                                         &Functions::Act,                                        \
-                                         &Functions::Call,                                       \
-                                         &Functions::Interrupt};                                 \
-    return &plugin;                                                                              \
+#define CCMORSE_PLUGIN(Class)                                                                 \
+  extern "C" __attribute__((visibility("default"))) const CCMorsePlugin* ccmorse_plugin() {   \
+    using Functions = ccmorse::PluginOf<Class>;                                               \
+    static const CCMorsePlugin plugin = {                                                     \
+        CCMORSE_PLUGIN_VERSION, Class::kIsActuator, #Class,           &Functions::Make,       \
+        &Functions::Destroy,    &Functions::Act,    &Functions::Call, &Functions::Interrupt}; \
+    return &plugin;                                                                           \
   }

@@ -953,7 +953,8 @@ Json OwnToJson(const OwnDef& own) {
   for (const OwnServiceDef& service : own.services) {
     Json::Array parameters;
     for (const OwnServiceDef::Parameter& parameter : service.parameters) {
-      parameters.push_back(Json::Object{{"name", parameter.name}, {"optional", parameter.optional}});
+      parameters.push_back(
+          Json::Object{{"name", parameter.name}, {"optional", parameter.optional}});
     }
     services.push_back(Json::Object{{"name", service.name},
                                     {"parameters", std::move(parameters)},
@@ -989,7 +990,8 @@ Json ComponentToJson(const ComponentDef& component) {
     object.emplace_back("noise", Json::Object{{"pos_std", component.noise.pos_std},
                                               {"rot_std", component.noise.rot_std}});
   }
-  if (component.type == "LaserScanner" && !component.own) object.emplace_back("laser", LaserToJson(component.laser));
+  if (component.type == "LaserScanner" && !component.own)
+    object.emplace_back("laser", LaserToJson(component.laser));
   if (!component.level.empty()) object.emplace_back("level", component.level);
   AddProperties(object, component.properties);
   return object;

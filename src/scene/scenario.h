@@ -177,12 +177,12 @@ struct OwnServiceDef {
 /// The code of a component that a user has written, and what is to be known of it where the code
 /// cannot run: a record is simulated again without it (docs/components.md).
 struct OwnDef {
-  std::string language;           ///< "python", or "c++" for a plug-in
-  std::string kind;               ///< "sensor" or "actuator"
-  std::string code;               ///< "package.module.Class", or the path of the plug-in's file
-  std::vector<std::string> path;  ///< folders where Python looks for it first
-  std::string level;              ///< of realism, among its own; "": the one as delivered
-  Json data = Json(Json::Object{});        ///< its fields in order, with their first values
+  std::string language;              ///< "python", or "c++" for a plug-in
+  std::string kind;                  ///< "sensor" or "actuator"
+  std::string code;                  ///< "package.module.Class", or the path of the plug-in's file
+  std::vector<std::string> path;     ///< folders where Python looks for it first
+  std::string level;                 ///< of realism, among its own; "": the one as delivered
+  Json data = Json(Json::Object{});  ///< its fields in order, with their first values
   Json properties = Json(Json::Object{});  ///< name to value as delivered: number, text or flag
   std::vector<OwnServiceDef> services;
 };

@@ -81,7 +81,8 @@ std::string TextOf(const fs::path& file) {
 std::string FindPluginInclude() {
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  for (const fs::path& folder : {program.parent_path() / "../include", fs::path(CCMORSE_SOURCE_INCLUDE)}) {
+  for (const fs::path& folder :
+       {program.parent_path() / "../include", fs::path(CCMORSE_SOURCE_INCLUDE)}) {
     if (fs::exists(folder / "ccmorse/plugin.h", ignored)) {
       return fs::weakly_canonical(folder, ignored).string();
     }
@@ -122,9 +123,8 @@ int AddComponent(ComponentKind kind, const Arguments& arguments, const std::stri
   const std::string package = PackageOf(*environment);
   const fs::path& root = environment->folder;
   const auto make = [&](const std::string& description) {
-    return arguments.cpp
-               ? NewPlugin(kind, name, package, description, FindPluginInclude())
-               : NewComponent(kind, name, package, description);
+    return arguments.cpp ? NewPlugin(kind, name, package, description, FindPluginInclude())
+                         : NewComponent(kind, name, package, description);
   };
   std::vector<ProjectFile> files = make("");
   // The Makefile of other plug-ins is the user's by now.
@@ -171,7 +171,8 @@ int AddComponent(ComponentKind kind, const Arguments& arguments, const std::stri
     if (!file.path.ends_with("__init__.py")) fmt::print("    {}\n", (root / file.path).string());
   }
   if (arguments.cpp) {
-    fmt::print("* Build it by \"make -C {}\".\n", (root / ("src/" + package + "/plugins")).string());
+    fmt::print("* Build it by \"make -C {}\".\n",
+               (root / ("src/" + package + "/plugins")).string());
   }
   fmt::print("* Use it in a builder script by \"from {}.builder.{}s import {}\".\n", package,
              kind_name, ClassName(name));

@@ -60,8 +60,8 @@ struct Input {
   Kind kind = Kind::kService;
   std::string_view component;  ///< "s1r.motion", or "simulation"
   std::string_view service;    ///< of a call
-  std::string arguments;  ///< JSON: the list of a call's arguments, the stream's message, or what own
-                          ///< code has done; the bytes as base64
+  std::string arguments;  ///< JSON: the list of a call's arguments, the stream's message, or what
+                          ///< own code has done; the bytes as base64
 };
 
 /// Every service that can be called over MORSE's socket protocol, by component and name, with
@@ -99,8 +99,8 @@ class ServiceDirectory {
   /// there is no such component.
   void Interrupt(std::string_view component);
 
-  /// Does what the code of a component of one's own wants done. Throws Error when it is nothing that
-  /// can be done, and does none of it then.
+  /// Does what the code of a component of one's own wants done. Throws Error when it is nothing
+  /// that can be done, and does none of it then.
   void ChangeOwn(sim::OwnComponent& component, const Json& change);
 
   /// Is told of every input in the order in which they are applied, just before each. The

@@ -9,8 +9,8 @@
 
 namespace ccmorse::servers {
 
-/// What the code of a component of one's own has done in one go, as it comes from the code and as it
-/// is recorded: an object with
+/// What the code of a component of one's own has done in one go, as it comes from the code and as
+/// it is recorded: an object with
 ///   data  its data, from now on
 ///   do    a list of what it does to the world, in order:
 ///         ["speed", vx, vy, wz]           its robot drives, m/s and rad/s, in the robot's frame

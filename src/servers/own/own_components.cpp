@@ -112,9 +112,8 @@ void OwnComponents::Perform(std::vector<OwnTask>& tasks) {
       if (&HostOf(*task.component) == host) own.push_back(task);
     }
     if (own.empty()) continue;
-    host->Perform(own, [this](const OwnTask& task, const OwnAnswer& answer) {
-      Take(task, answer);
-    });
+    host->Perform(own,
+                  [this](const OwnTask& task, const OwnAnswer& answer) { Take(task, answer); });
   }
   busy_ = false;
 }
@@ -146,8 +145,7 @@ OwnAnswer OwnComponents::PerformOne(OwnTask task) {
 
 Json OwnComponents::Call(sim::OwnComponent& component, const std::string& service,
                          sim::Arguments arguments) {
-  const OwnAnswer answer =
-      PerformOne({&component, OwnTask::Kind::kCall, service, arguments, 0});
+  const OwnAnswer answer = PerformOne({&component, OwnTask::Kind::kCall, service, arguments, 0});
   const Json* const result = answer.Find("result");
   return result != nullptr ? *result : Json();
 }
@@ -230,9 +228,7 @@ void OwnComponents::EndServices(const sim::OwnComponent& component, const std::s
 
 // A question of own code, [component, service, [arguments]], to services that answer at once.
 Json OwnComponents::Ask(const Json& question) {
-  const auto failed = [](const std::string& text) {
-    return Json(Json::Object{{"failed", text}});
-  };
+  const auto failed = [](const std::string& text) { return Json(Json::Object{{"failed", text}}); };
   const Json::Array& words = question.AsArray();
   const std::string& component = words[0].AsString();
   const std::string& service = words[1].AsString();
@@ -243,17 +239,16 @@ Json OwnComponents::Ask(const Json& question) {
     const int y = sim::IntegerArgument(arguments, 1, "y", -1'000'000'000, 1'000'000'000);
     if (!canvas.Contains(x, y)) return failed("there is no such cell");
     const Color color = canvas.GetPixel(x, y);
-    return Json(Json::Object{
-        {"result", Json::Array{int{color.r}, int{color.g}, int{color.b}}}});
+    return Json(Json::Object{{"result", Json::Array{int{color.r}, int{color.g}, int{color.b}}}});
   }
   const ServiceDirectory::Target target = directory_.Find(component, service);
   if (target.service == nullptr) return failed(ServiceDirectory::NotRegistered(service));
-  if (target.service->start) return failed(service + " answers later; only clients can wait for it");
+  if (target.service->start)
+    return failed(service + " answers later; only clients can wait for it");
   std::optional<Json> answer;
   directory_.Run(target, arguments, [&](const sim::ServiceResult& result) {
     const Json value = result.text.empty() ? result.value : Json::Parse(result.text);
-    answer = Json(Json::Object{
-        {result.outcome == Outcome::kSuccess ? "result" : "failed", value}});
+    answer = Json(Json::Object{{result.outcome == Outcome::kSuccess ? "result" : "failed", value}});
   });
   return answer ? *answer : failed(service + " does not answer");
 }

@@ -101,9 +101,21 @@ class PluginHost::Part {
  public:
   Part(const std::string& file, sim::Simulation* simulation, sim::OwnComponent* own)
       : plugin_(Open(file)), simulation_(simulation), own_(own) {
-    host_ = {CCMORSE_PLUGIN_VERSION, this,         &AddData,     &AddProperty, &AddService,
-             &GetData,               &SetData,     &GetProperty, &GetPose,     &GetTime,
-             &DoAct,                 &DoComplete,  &DoLog,       &DoFail,      &DoAnswer};
+    host_ = {CCMORSE_PLUGIN_VERSION,
+             this,
+             &AddData,
+             &AddProperty,
+             &AddService,
+             &GetData,
+             &SetData,
+             &GetProperty,
+             &GetPose,
+             &GetTime,
+             &DoAct,
+             &DoComplete,
+             &DoLog,
+             &DoFail,
+             &DoAnswer};
     if (own_ != nullptr) data_ = own_->data();
     instance_ = plugin_.make(&host_);
   }
@@ -194,8 +206,8 @@ class PluginHost::Part {
   }
   static void GetProperty(void* self, const char* name, CCMorseValue* value) {
     Part& part = Of(self);
-    const Json properties = part.own_ != nullptr ? part.own_->component().Properties()
-                                                 : part.described_.properties;
+    const Json properties =
+        part.own_ != nullptr ? part.own_->component().Properties() : part.described_.properties;
     part.ShowSafely(value, [&] { part.Show(properties.Find(name), value); });
   }
   static void GetPose(void* self, int of_robot, double* pose) {
@@ -301,9 +313,9 @@ PluginHost::PluginHost(sim::Simulation& simulation,
   for (sim::OwnComponent* component : components) {
     auto part = std::make_unique<Part>(component->def().code, &simulation, component);
     if (!part->works()) {
-      taker({component}, Json(Json::Object{{"off", fmt::format("{}: in its constructor: {}",
-                                                               component->def().code,
-                                                               part->failure())}}));
+      taker({component},
+            Json(Json::Object{{"off", fmt::format("{}: in its constructor: {}",
+                                                  component->def().code, part->failure())}}));
       continue;
     }
     parts_.emplace(component, std::move(part));

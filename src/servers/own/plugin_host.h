@@ -31,9 +31,9 @@ class PluginHost : public CodeHost {
   std::map<const sim::OwnComponent*, std::unique_ptr<Part>> parts_;
 };
 
-/// Fills in what a scenario's plug-ins say of themselves: kind, type, data, properties and services.
-/// Throws Error that names the file: it cannot be loaded, is no plug-in, or was built for another
-/// version of the interface.
+/// Fills in what a scenario's plug-ins say of themselves: kind, type, data, properties and
+/// services. Throws Error that names the file: it cannot be loaded, is no plug-in, or was built for
+/// another version of the interface.
 void DescribePlugins(scene::Scenario& scenario);
 
 }  // namespace ccmorse::servers

@@ -29,17 +29,17 @@ Json VectorOf(const Vec3& v) { return Json(Json::Array{v.x, v.y, v.z}); }
 Json RobotFacts(const sim::Robot& robot) {
   const scene::RobotDef& def = robot.def();
   const scene::RobotModel& model = robot.model();
-  return Json(Json::Object{
-      {"type", def.type},
-      {"size", Json::Array{model.length, model.width, model.height}},
-      {"mass", model.mass},
-      {"wheel_radius", model.wheel_radius},
-      {"wheel_track", model.wheel_track},
-      {"max_speed", model.max_speed},
-      {"max_turn_rate", model.max_turn_rate},
-      {"color", Json::Array{int{def.color.r}, int{def.color.g}, int{def.color.b}}},
-      {"start", Json::Array{def.pose.x, def.pose.y, def.pose.yaw}},
-      {"properties", def.properties}});
+  return Json(
+      Json::Object{{"type", def.type},
+                   {"size", Json::Array{model.length, model.width, model.height}},
+                   {"mass", model.mass},
+                   {"wheel_radius", model.wheel_radius},
+                   {"wheel_track", model.wheel_track},
+                   {"max_speed", model.max_speed},
+                   {"max_turn_rate", model.max_turn_rate},
+                   {"color", Json::Array{int{def.color.r}, int{def.color.g}, int{def.color.b}}},
+                   {"start", Json::Array{def.pose.x, def.pose.y, def.pose.yaw}},
+                   {"properties", def.properties}});
 }
 
 const char* KindWord(OwnTask::Kind kind) {
@@ -81,7 +81,8 @@ Json PythonHost::Scene(bool anew) const {
   const sim::Canvas& canvas = simulation_.canvas();
   const scene::Scenario& scenario = simulation_.scenario();
   Json::Array components;
-  for (const sim::OwnComponent* component : components_) components.push_back(Birth(*component, anew));
+  for (const sim::OwnComponent* component : components_)
+    components.push_back(Birth(*component, anew));
   return Json(Json::Object{{"robots", std::move(robots)},
                            {"canvas", Json::Array{canvas.width(), canvas.height()}},
                            {"world", Json::Array{scenario.world.size_x, scenario.world.size_y,
@@ -117,17 +118,18 @@ Json PythonHost::Birth(const sim::OwnComponent& own, bool anew) const {
 Json PythonHost::Poses(std::span<const OwnTask> tasks) const {
   Json poses(Json::Object{});
   for (const auto& robot : simulation_.robots()) {
-    const bool wanted = tasks.empty() || std::any_of(tasks.begin(), tasks.end(), [&](const auto& t) {
-      return &t.component->component().robot() == robot.get();
-    });
+    const bool wanted =
+        tasks.empty() || std::any_of(tasks.begin(), tasks.end(), [&](const auto& t) {
+          return &t.component->component().robot() == robot.get();
+        });
     if (wanted) poses.AsObject().emplace_back(robot->name(), PoseOf(*robot));
   }
   return poses;
 }
 
 Json PythonHost::TaskJson(const OwnTask& task) const {
-  Json json(Json::Object{{"n", task.component->component().full_name()},
-                         {"k", KindWord(task.kind)}});
+  Json json(
+      Json::Object{{"n", task.component->component().full_name()}, {"k", KindWord(task.kind)}});
   if (task.kind == OwnTask::Kind::kCall || task.kind == OwnTask::Kind::kStart) {
     json.Set("s", task.service);
     json.Set("a", Json::Array(task.arguments.begin(), task.arguments.end()));
@@ -145,8 +147,7 @@ void PythonHost::Begin(const Taker& taker, bool anew) {
   for (bool whole = false; !whole;) {
     process_ = std::make_unique<PythonProcess>(python_, folder_);
     whole = true;
-    const auto deadline =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(start_limit_);
+    const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(start_limit_);
     process_->Send(Scene(anew).Dump(), deadline);
     const std::vector<sim::OwnComponent*> all = components_;
     for (sim::OwnComponent* component : all) {
@@ -169,8 +170,7 @@ void PythonHost::Begin(const Taker& taker, bool anew) {
 }
 
 Json PythonHost::ReadAnswer(std::chrono::duration<double> limit, std::string* reason) {
-  const auto deadline =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(limit + kGrace);
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(limit + kGrace);
   std::string line;
   for (;;) {
     const PythonProcess::Result result = process_->Read(line, deadline);

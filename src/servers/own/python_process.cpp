@@ -72,8 +72,8 @@ std::vector<std::string> Variables(const std::string& folder) {
 }
 
 int MillisecondsTo(PythonProcess::Clock::time_point deadline) {
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline -
-                                                                 PythonProcess::Clock::now());
+  const auto left =
+      std::chrono::ceil<std::chrono::milliseconds>(deadline - PythonProcess::Clock::now());
   return static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 3'600'000));
 }
 
