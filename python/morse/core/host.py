@@ -228,7 +228,7 @@ def text_of(value):
 def place_of(error):
     """ "FILE:LINE: in NAME: " of the innermost frame that is the user's."""
     frames = [frame for frame in traceback.extract_tb(error.__traceback__)
-              if not frame.filename.startswith(_OURS + os.sep) and
+              if not os.path.abspath(frame.filename).startswith(_OURS + os.sep) and
               not frame.filename.startswith("<")]
     if isinstance(error, SyntaxError) and error.filename:
         return "%s:%s: " % (error.filename, error.lineno)

@@ -15,7 +15,7 @@ namespace {
 
 // Python itself stops code that takes too long, and says where it was. What it cannot stop, as it
 // is not Python's, is killed so much later.
-constexpr std::chrono::duration<double> kGrace(0.5);
+constexpr std::chrono::duration<double> kGrace(1.0);
 
 Json PoseOf(const sim::Robot& robot) {
   const Vec3 at = robot.position();
