@@ -63,7 +63,7 @@ HEAVY = {
 }
 
 # Folders of include/; those of Player's names stand beneath libCCMorse.
-PUBLIC = ("libCCMorse/", "libPlayer/", "imr-h/", "libplayerc++/", "libplayerc/", "libplayercommon/",
+PUBLIC = ("ccmorse/", "libCCMorse/", "libPlayer/", "imr-h/", "libplayerc++/", "libplayerc/", "libplayercommon/",
           "libplayercore/", "libplayerinterface/")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')

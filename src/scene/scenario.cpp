@@ -474,11 +474,60 @@ Json ReadProperties(const Field& field) {
   return field.value();
 }
 
+OwnServiceDef ReadOwnService(const Field& field) {
+  ObjectReader reader(field);
+  OwnServiceDef service;
+  service.name = reader.Require("name").Identifier();
+  if (reader.Has("parameters")) {
+    for (const Field& item : reader.Require("parameters").Items()) {
+      ObjectReader parameter(item);
+      service.parameters.push_back(
+          {parameter.Require("name").Identifier(), parameter.Bool("optional", false)});
+      parameter.Finish();
+    }
+  }
+  service.asynchronous = reader.Bool("asynchronous", service.asynchronous);
+  reader.Finish();
+  return service;
+}
+
+OwnDef ReadOwn(const Field& field) {
+  ObjectReader reader(field);
+  OwnDef own;
+  own.language = reader.Require("language").Choice(std::vector<std::string>{"python", "c++"});
+  own.kind = reader.Require("kind").Choice(std::vector<std::string>{"sensor", "actuator"});
+  own.code = reader.Require("code").Text();
+  if (reader.Has("path")) {
+    for (const Field& item : reader.Require("path").Items()) own.path.push_back(item.Text());
+  }
+  if (reader.Has("level")) own.level = reader.Require("level").Text();
+  if (reader.Has("data")) own.data = ReadProperties(reader.Require("data"));
+  if (reader.Has("properties")) own.properties = ReadProperties(reader.Require("properties"));
+  for (const auto& [name, value] : own.properties.AsObject()) {
+    if (value.IsNumber() || value.IsBool() || value.IsString()) continue;
+    reader.Require("properties")
+        .FailHere(fmt::format("has {} as {}, must be a number, a text, true or false",
+                              value.TypeName(), Quoted(name)));
+  }
+  if (reader.Has("services")) {
+    for (const Field& item : reader.Require("services").Items()) {
+      own.services.push_back(ReadOwnService(item));
+    }
+  }
+  reader.Finish();
+  return own;
+}
+
 ComponentDef ReadComponent(const Field& field) {
   ObjectReader reader(field);
   ComponentDef component;
   component.name = ReadComponentName(reader.Require("name"));
-  component.type = reader.Require("type").Choice(ComponentTypes());
+  if (reader.Has("own")) {
+    component.own = ReadOwn(reader.Require("own"));
+    component.type = reader.Require("type").Identifier();
+  } else {
+    component.type = reader.Require("type").Choice(ComponentTypes());
+  }
   component.frequency = reader.Number("frequency", component.frequency, {0.0, 1000.0, true});
   component.position = reader.Vector("position", component.position, kFarthest);
   component.rotation = reader.Vector("rotation", component.rotation, 20.0 * kPi);
@@ -488,7 +537,7 @@ ComponentDef ReadComponent(const Field& field) {
     if (component.type != "Pose") reader.Require("noise").FailHere("is for a Pose; remove it");
     component.noise = ReadPoseNoise(reader.Require("noise"));
   }
-  if (component.type == "LaserScanner") {
+  if (component.type == "LaserScanner" && !component.own) {
     LaserDef laser = MorseLaser(30.0, 180.0, 1.0);  // MORSE's own defaults (specs: morse.md B.2)
     laser.frequency = component.frequency;
     laser.position = component.position;
@@ -516,7 +565,7 @@ ComponentDef ReadComponent(const Field& field) {
 
 // The level of an Odometry that knows where the robot is, which Player's clients ask for.
 bool IsOdometry(const ComponentDef& component) {
-  return component.type == "Odometry" &&
+  return component.type == "Odometry" && !component.own &&
          (component.level.empty() || component.level == "integrated");
 }
 
@@ -543,6 +592,7 @@ void ReadComponents(ObjectReader& reader, RobotDef& robot) {
   robot.front = "none";
   robot.proxies.clear();
   for (const ComponentDef& component : components) {
+    if (component.own) continue;
     const bool scans = component.type == "LaserScanner";
     if (!scans && component.type != "Pose" && !IsOdometry(component)) continue;
     robot.proxies[scans ? "laser" : "position2d"].emplace(0, component.name);
@@ -931,6 +981,31 @@ Json BodyToJson(const BodyDef& body) {
                       {"origin_height", body.origin_height}};
 }
 
+Json OwnToJson(const OwnDef& own) {
+  Json::Array services;
+  for (const OwnServiceDef& service : own.services) {
+    Json::Array parameters;
+    for (const OwnServiceDef::Parameter& parameter : service.parameters) {
+      parameters.push_back(
+          Json::Object{{"name", parameter.name}, {"optional", parameter.optional}});
+    }
+    services.push_back(Json::Object{{"name", service.name},
+                                    {"parameters", std::move(parameters)},
+                                    {"asynchronous", service.asynchronous}});
+  }
+  Json::Object object = {{"language", own.language}, {"kind", own.kind}, {"code", own.code}};
+  if (!own.path.empty()) {
+    Json::Array path;
+    for (const std::string& folder : own.path) path.emplace_back(folder);
+    object.emplace_back("path", std::move(path));
+  }
+  if (!own.level.empty()) object.emplace_back("level", own.level);
+  object.emplace_back("data", own.data);
+  object.emplace_back("properties", own.properties);
+  object.emplace_back("services", std::move(services));
+  return object;
+}
+
 void AddProperties(Json::Object& object, const Json& properties) {
   if (!properties.AsObject().empty()) object.emplace_back("properties", properties);
 }
@@ -943,11 +1018,13 @@ Json ComponentToJson(const ComponentDef& component) {
                          {"rotation", VectorToJson(component.rotation)},
                          {"stream", component.stream},
                          {"services", component.services}};
-  if (component.type == "Pose") {
+  if (component.own) object.emplace_back("own", OwnToJson(*component.own));
+  if (component.type == "Pose" && !component.own) {
     object.emplace_back("noise", Json::Object{{"pos_std", component.noise.pos_std},
                                               {"rot_std", component.noise.rot_std}});
   }
-  if (component.type == "LaserScanner") object.emplace_back("laser", LaserToJson(component.laser));
+  if (component.type == "LaserScanner" && !component.own)
+    object.emplace_back("laser", LaserToJson(component.laser));
   if (!component.level.empty()) object.emplace_back("level", component.level);
   AddProperties(object, component.properties);
   return object;
@@ -1076,6 +1153,7 @@ std::vector<std::string> DevicesFor(const RobotDef& robot, const std::string& in
   if (robot.components) {
     std::vector<std::string> devices;
     for (const ComponentDef& component : *robot.components) {
+      if (component.own) continue;
       const bool serves =
           component.type == "LaserScanner"
               ? interface == "laser" || interface == "ranger"

@@ -163,11 +163,35 @@ struct PoseNoiseDef {
   double rot_std = 0.0;  ///< rad, >= 0, on yaw
 };
 
+/// A service of a component of one's own, as clients see it (specs: morse.md A.5).
+struct OwnServiceDef {
+  struct Parameter {
+    std::string name;
+    bool optional = false;
+  };
+  std::string name;
+  std::vector<Parameter> parameters;
+  bool asynchronous = false;  ///< answers later
+};
+
+/// The code of a component that a user has written, and what is to be known of it where the code
+/// cannot run: a record is simulated again without it (docs/components.md).
+struct OwnDef {
+  std::string language;              ///< "python", or "c++" for a plug-in
+  std::string kind;                  ///< "sensor" or "actuator"
+  std::string code;                  ///< "package.module.Class", or the path of the plug-in's file
+  std::vector<std::string> path;     ///< folders where Python looks for it first
+  std::string level;                 ///< of realism, among its own; "": the one as delivered
+  Json data = Json(Json::Object{});  ///< its fields in order, with their first values
+  Json properties = Json(Json::Object{});  ///< name to value as delivered: number, text or flag
+  std::vector<OwnServiceDef> services;
+};
+
 /// One device of a robot that has others than those of its type, as a MORSE builder script mounts
 /// it (specs: morse.md C.2; docs/morse.md).
 struct ComponentDef {
   std::string name;         ///< after the robot's, unique there; dots where nested ("arm.tool")
-  std::string type;         ///< one of ComponentTypes()
+  std::string type;         ///< one of ComponentTypes(); with `own` the name of its class
   double frequency = 60.0;  ///< Hz, > 0
   Vec3 position;            ///< on the robot, m, in its frame
   Vec3 rotation;            ///< there: roll, pitch, yaw, rad
@@ -179,6 +203,7 @@ struct ComponentDef {
   /// MORSE's properties that differ from what the type is delivered with, by MORSE's names, an
   /// object; those that the simulator's type has not are of no effect.
   Json properties = Json(Json::Object{});
+  std::optional<OwnDef> own;  ///< the user's code, where it is none of the simulator's types
 };
 
 /// The types of component that the simulator has, sorted, by MORSE's names.

@@ -238,6 +238,7 @@ RunSummary Runner::Run() {
   while (!Over()) {
     simulation_.Sense();
     sensed = true;
+    for (RunParticipant* participant : participants_) participant->Sensed();
     WaitToPublish();
     for (RunWatcher* watcher : watchers_) watcher->Sensed();
     for (ProtocolServer* server : servers_) server->Sensed();
@@ -248,6 +249,7 @@ RunSummary Runner::Run() {
       paused_for_ = {};
     }
     for (ProtocolServer* server : servers_) server->ApplyInputs();
+    for (RunParticipant* participant : participants_) participant->BeforeAct();
     simulation_.Act();
     sensed = false;
     for (RunWatcher* watcher : watchers_) watcher->Acted();

@@ -19,6 +19,7 @@
 #include "servers/morse/sync_port.h"
 #include "servers/net/warm_path.h"
 #include "servers/player/player_server.h"
+#include "servers/run_participant.h"
 #include "servers/run_watcher.h"
 #include "sim/simulation.h"
 
@@ -84,6 +85,9 @@ class Runner {
   /// in, so that the state at the end does not depend on who was faster; after 2 s at the latest.
   /// At another pace as Stop(). From a handler of io().
   void StopAfterClients();
+
+  /// Lets it take part in the run from now on; to be called before Run(). It outlives the run.
+  void AddParticipant(RunParticipant& participant) { participants_.push_back(&participant); }
 
   boost::asio::io_context& io() { return io_; }
   /// The one door for what changes the simulation.
@@ -176,6 +180,7 @@ class Runner {
   Wakefulness wakefulness_;
   std::function<void()> on_first_tick_;
   std::vector<RunWatcher*> watchers_;
+  std::vector<RunParticipant*> participants_;
 };
 
 }  // namespace ccmorse::servers

@@ -50,6 +50,8 @@ class Component {
   /// Is this tick one of the component's own? The k-th falls on the first tick at or after k /
   /// frequency; true at most once a tick.
   bool TakeDue(const Instant& now, double base_frequency);
+  /// Will it be, when it is asked in this tick?
+  bool IsDue(const Instant& now) const { return now.tick >= next_tick_; }
 
   const std::vector<Service>& services() const { return services_; }
 

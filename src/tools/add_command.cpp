@@ -31,6 +31,7 @@ struct Arguments {
   std::string environment;
   std::optional<std::string> description;
   bool force = false;
+  bool cpp = false;  // in C++ rather than Python
 };
 
 // The package in src that the environment's parts live in: of its own name, else the only one. An
@@ -76,6 +77,19 @@ std::string TextOf(const fs::path& file) {
   return fs::exists(file, failed) ? ReadFile(file.string()) : "";
 }
 
+// The folder that holds ccmorse/plugin.h, as it is here.
+std::string FindPluginInclude() {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  for (const fs::path& folder :
+       {program.parent_path() / "../include", fs::path(CCMORSE_SOURCE_INCLUDE)}) {
+    if (fs::exists(folder / "ccmorse/plugin.h", ignored)) {
+      return fs::weakly_canonical(folder, ignored).string();
+    }
+  }
+  return "/usr/include";
+}
+
 int AddComponent(ComponentKind kind, const Arguments& arguments, const std::string& program) {
   const std::string kind_name(KindName(kind));
   const std::string& name = arguments.name;
@@ -108,7 +122,16 @@ int AddComponent(ComponentKind kind, const Arguments& arguments, const std::stri
   }
   const std::string package = PackageOf(*environment);
   const fs::path& root = environment->folder;
-  std::vector<ProjectFile> files = NewComponent(kind, name, package, "");
+  const auto make = [&](const std::string& description) {
+    return arguments.cpp ? NewPlugin(kind, name, package, description, FindPluginInclude())
+                         : NewComponent(kind, name, package, description);
+  };
+  std::vector<ProjectFile> files = make("");
+  // The Makefile of other plug-ins is the user's by now.
+  std::erase_if(files, [&](const ProjectFile& file) {
+    return file.path.ends_with("/Makefile") && fs::exists(root / file.path);
+  });
+  const bool has_makefile = arguments.cpp && files.size() == 2;
   for (const ProjectFile& file : files) {
     if (!arguments.force && fs::exists(fs::symlink_status(root / file.path))) {
       throw Error(fmt::format("{} is there already; choose another name, or -f to replace it",
@@ -124,11 +147,15 @@ int AddComponent(ComponentKind kind, const Arguments& arguments, const std::stri
   if (description.find_first_not_of(" \t") == std::string::npos) {
     description = fmt::format("The {} {}.", kind_name, name);
   }
-  files = NewComponent(kind, name, package, description);
+  files = make(description);
+  if (has_makefile) {
+    std::erase_if(files, [](const ProjectFile& file) { return file.path.ends_with("/Makefile"); });
+  }
   // What makes the folders packages, where it is missing; nothing of the user's is replaced.
   const std::string base = "src/" + package + "/";
-  for (const std::string& file :
-       {base + "__init__.py", base + kind_name + "s/__init__.py", base + "builder/__init__.py"}) {
+  std::vector<std::string> packages = {base + "__init__.py", base + "builder/__init__.py"};
+  if (!arguments.cpp) packages.push_back(base + kind_name + "s/__init__.py");
+  for (const std::string& file : packages) {
     if (!fs::exists(root / file)) files.push_back({file, ""});
   }
   const std::string list = base + "builder/" + kind_name + "s/__init__.py";
@@ -142,6 +169,10 @@ int AddComponent(ComponentKind kind, const Arguments& arguments, const std::stri
              environment->name);
   for (const ProjectFile& file : files) {
     if (!file.path.ends_with("__init__.py")) fmt::print("    {}\n", (root / file.path).string());
+  }
+  if (arguments.cpp) {
+    fmt::print("* Build it by \"make -C {}\".\n",
+               (root / ("src/" + package + "/plugins")).string());
   }
   fmt::print("* Use it in a builder script by \"from {}.builder.{}s import {}\".\n", package,
              kind_name, ClassName(name));
@@ -181,6 +212,9 @@ void AddAddCommand(CommandLine& line) {
                      "one line on what it is; else sensors and actuators ask for it")
         ->type_name("TEXT");
     part->add_flag("-f,--force", arguments->force, "replace files that are there");
+    if (kind != ComponentKind::kRobot) {
+      part->add_flag("--cpp", arguments->cpp, "in C++, as a plug-in, rather than in Python");
+    }
     part->allow_extras(false);
     part->footer(fmt::format("Example:\n  ccmorse add {} {} my_scene", kind_name,
                              kind == ComponentKind::kRobot    ? "rover"
@@ -195,7 +229,9 @@ void AddAddCommand(CommandLine& line) {
       "  ccmorse add robot rover my_scene\n"
       "  ccmorse add sensor thermometer my_scene -d \"Measures the heat of what is near.\"\n"
       "  ccmorse add actuator pen my_scene\n"
-      "They are Python classes, to be changed and used in builder scripts.");
+      "  ccmorse add sensor probe my_scene --cpp\n"
+      "They are Python classes, or one of C++ with --cpp, to be changed and used in builder "
+      "scripts\n(docs/components.md).");
 }
 
 }  // namespace ccmorse::tools

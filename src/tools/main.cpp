@@ -217,6 +217,12 @@ int Run(int argc, char** argv) {
       ->check(Within(0.0, 1e6))
       ->type_name("SECONDS");
   run_command
+      ->add_option("--component-timeout", run.component_timeout,
+                   "switch a component of one's own off whose Python code takes longer, in "
+                   "wall-clock time  [1]")
+      ->check(Within(0.01, 3600.0))
+      ->type_name("SECONDS");
+  run_command
       ->add_option("--pace", run.pace,
                    "real: wall-clock time; lockstep: time waits for the clients' next Read(); "
                    "max: as fast as possible  [what the scenario says, else real]")

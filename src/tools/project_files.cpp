@@ -58,6 +58,16 @@ std::string Filled(std::string text, const Words& words) {
   return Replaced(std::move(text), "@DESCRIPTION@", words.description);
 }
 
+// A description as it may stand in docstrings and strings of Python, and in comments of C++.
+std::string Plain(const std::string& description) {
+  std::string plain;
+  for (const char letter : description) {
+    const bool printable = static_cast<unsigned char>(letter) >= 0x20;
+    plain += letter == '"' ? '\'' : letter == '\\' ? '/' : printable ? letter : ' ';
+  }
+  return plain;
+}
+
 constexpr const char* kDefaultScript = R"py(#! /usr/bin/env morseexec
 """What `morse run @NAME@` starts: one robot in a playground.
 
@@ -128,7 +138,8 @@ constexpr const char* kSensor = R"py("""@DESCRIPTION@"""
 import math
 
 import morse.core.sensor
-from morse.core.services import service
+from morse.core import status
+from morse.core.services import async_service, interruptible, service
 from morse.helpers.components import add_data, add_property
 
 
@@ -150,11 +161,18 @@ class @CLASS@(morse.core.sensor.Sensor):
     def __init__(self, obj, parent=None):
         morse.core.sensor.Sensor.__init__(self, obj, parent)
         self._last = None
+        self._goal = 0.0
 
     @service
     def reset_distance(self):
         """Counts from 0 again."""
         self.local_data['distance'] = 0.0
+
+    @interruptible
+    @async_service
+    def travel(self, metres):
+        """Answers when so much more has been travelled; another call takes this one's place."""
+        self._goal = self.local_data['distance'] + metres
 
     def default_action(self):
         """What happens each time that the sensor is due."""
@@ -163,6 +181,8 @@ class @CLASS@(morse.core.sensor.Sensor):
             way = math.sqrt(sum((a - b) ** 2 for a, b in zip(here, self._last)))
             self.local_data['distance'] += self._factor * way
         self._last = here
+        if self.local_data['distance'] >= self._goal:
+            self.completed(status.SUCCESS, self.local_data['distance'])
 )py";
 
 constexpr const char* kSensorBuilder = R"py("""The sensor @CLASS@ for builder scripts."""
@@ -186,7 +206,8 @@ class @CLASS@(SensorCreator):
 constexpr const char* kActuator = R"py("""@DESCRIPTION@"""
 
 import morse.core.actuator
-from morse.core.services import service
+from morse.core import status
+from morse.core.services import async_service, interruptible, service
 from morse.helpers.components import add_data, add_property
 
 
@@ -207,16 +228,35 @@ class @CLASS@(morse.core.actuator.Actuator):
 
     def __init__(self, obj, parent=None):
         morse.core.actuator.Actuator.__init__(self, obj, parent)
+        self._left = 0.0
 
     @service
     def stop(self):
         """Stands still until the next command."""
         self.local_data['speed'] = 0.0
 
+    @interruptible
+    @async_service
+    def advance(self, metres, speed=0.5):
+        """Answers when the robot has gone so far."""
+        self._left = metres
+        self.local_data['speed'] = speed
+
+    def interrupt(self):
+        """Another call, or a cancel, ends a running `advance`."""
+        self._left = 0.0
+        self.local_data['speed'] = 0.0
+        morse.core.actuator.Actuator.interrupt(self)
+
     def default_action(self):
         """What happens each time that the actuator is due."""
         speed = max(-self._max_speed, min(self._max_speed, self.local_data['speed']))
         self.apply_speed('Velocity', [speed, 0.0, 0.0], [0.0, 0.0, 0.0])
+        if self._left > 0.0:
+            self._left -= abs(speed) / self.frequency
+            if self._left <= 0.0:
+                self.stop()
+                self.completed(status.SUCCESS)
 )py";
 
 constexpr const char* kActuatorBuilder = R"py("""The actuator @CLASS@ for builder scripts."""
@@ -235,6 +275,162 @@ class @CLASS@(ActuatorCreator):
 
     def __init__(self, name=None):
         ActuatorCreator.__init__(self, name)
+)py";
+
+constexpr const char* kSensorPlugin =
+    R"cc(// @DESCRIPTION@
+         //
+         // Built by `make` in this folder; builder scripts mount it by the class @CLASS@ of
+         // @PACKAGE@.builder.sensors. How to write one: docs/components.md of CCMorse.
+
+#include <ccmorse/plugin.h>
+
+#include <cmath>
+
+         // As it is, it measures how far it has travelled.
+         class @CLASS @ : public ccmorse::Sensor {
+          public:
+           @CLASS @() {
+             // Each line sent to clients has these fields, beside `timestamp`.
+             AddData("distance", 0.0);  // m, travelled since the start or the last reset
+
+             // Scripts set these: @NAME@.properties(Factor=2.0)
+             AddProperty("Factor", &factor_);
+
+             // Clients call these; the second text names their parameters, as "x y ?speed".
+             AddService("reset_distance", "", [this](const ccmorse::Values&) {
+               Set("distance", 0.0);
+               return ccmorse::Value();
+             });
+
+             // This one answers when so much more has been travelled.
+             AddAsyncService("travel", "metres", [this](const ccmorse::Values& arguments) {
+               goal_ = Get("distance").Number() + arguments[0].Number();
+             });
+           }
+
+           // What happens each time that the sensor is due.
+           void DefaultAction() override {
+             const ccmorse::Pose here = GetPose();
+             if (moving_) {
+               const double way = std::hypot(here.x - last_.x, here.y - last_.y, here.z - last_.z);
+               Set("distance", Get("distance").Number() + factor_ * way);
+             }
+             last_ = here;
+             moving_ = true;
+             if (Get("distance").Number() >= goal_) Complete(ccmorse::Status::kSuccess, Get("distan"
+                                                                                            "ce"));
+           }
+
+          private:
+           double factor_ = 1.0;  // what the distance is multiplied by
+           double goal_ = 0.0;    // m
+           bool moving_ = false;  // last_ is known
+           ccmorse::Pose last_{};
+         };
+
+         CCMORSE_PLUGIN(@CLASS @)
+)cc";
+
+constexpr const char* kActuatorPlugin =
+    R"cc(// @DESCRIPTION@
+         //
+         // Built by `make` in this folder; builder scripts mount it by the class @CLASS@ of
+         // @PACKAGE@.builder.actuators. How to write one: docs/components.md of CCMorse.
+
+#include <ccmorse/plugin.h>
+
+#include <algorithm>
+#include <cmath>
+
+         // As it is, it moves its robot ahead.
+         class @CLASS @ : public ccmorse::Actuator {
+          public:
+           @CLASS @() {
+             // Clients send lines with these fields; the last one holds until the next.
+             AddData("speed", 0.0);  // m/s, of the robot along its own x axis
+
+             // Scripts set these: @NAME@.properties(MaxSpeed=0.5)
+             AddProperty("MaxSpeed", &max_speed_);
+
+             // Clients call these; the second text names their parameters, as "x y ?speed".
+             AddService("stop", "", [this](const ccmorse::Values&) {
+               Set("speed", 0.0);
+               return ccmorse::Value();
+             });
+
+             // This one answers when the robot has gone so far.
+             AddAsyncService("advance", "metres speed", [this](const ccmorse::Values& arguments) {
+               left_ = arguments[0].Number();
+               Set("speed", arguments[1].Number());
+             });
+           }
+
+           // What happens each time that the actuator is due.
+           void DefaultAction() override {
+             const double speed = std::clamp(Get("speed").Number(), -max_speed_, max_speed_);
+             ApplySpeed(speed, 0.0, 0.0);
+             const double step = GetTime() - last_time_;
+             last_time_ = GetTime();
+             if (left_ <= 0.0) return;
+             left_ -= std::abs(speed) * step;
+             if (left_ <= 0.0) Stop(ccmorse::Status::kSuccess);
+           }
+
+           // Another call, or `cancel`, ends a running `advance`.
+           void Interrupt() override { Stop(ccmorse::Status::kPreempted); }
+
+          private:
+           void Stop(ccmorse::Status status) {
+             left_ = 0.0;
+             Set("speed", 0.0);
+             Complete(status);
+           }
+
+           double max_speed_ = 1.0;  // m/s: no command makes it faster
+           double left_ = 0.0;       // m to go
+           double last_time_ = 0.0;  // s
+         };
+
+         CCMORSE_PLUGIN(@CLASS @)
+)cc";
+
+constexpr const char* kPluginMakefile =
+    R"mk(# Builds each .cpp of this folder as a plug-in of CCMorse.
+CXX ?= g++
+CXXFLAGS ?= -O2 -Wall -Wextra
+CCMORSE_FLAGS ?= $(or $(shell pkg-config --cflags ccmorse 2>/dev/null),-I@INCLUDE@)
+
+all: $(patsubst %.cpp,%.so,$(wildcard *.cpp))
+
+%.so: %.cpp Makefile
+	$(CXX) -std=c++17 $(CXXFLAGS) $(CCMORSE_FLAGS) -fPIC -shared -fvisibility=hidden -o $@ $<
+
+clean:
+	rm -f *.so
+
+.PHONY: all clean
+)mk";
+
+constexpr const char* kPluginBuilder = R"py("""The @KIND@ @CLASS@ for builder scripts."""
+
+import os
+
+from morse.builder.creator import @CREATOR@
+
+
+class @CLASS@(@CREATOR@):
+    """@DESCRIPTION@
+
+        from @PACKAGE@.builder.@KIND@s import @CLASS@
+        @NAME@ = @CLASS@()
+        robot.append(@NAME@)
+    """
+    _plugin = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                           "..", "..", "plugins", "@NAME@.so")
+
+    def __init__(self, name=None):
+        @CREATOR@.__init__(self, name)
 )py";
 
 constexpr const char* kRobot = R"py("""@DESCRIPTION@"""
@@ -437,13 +633,7 @@ std::vector<ProjectFile> NewProject(const std::string& name, bool with_scenario)
 
 std::vector<ProjectFile> NewComponent(ComponentKind kind, const std::string& name,
                                       const std::string& package, const std::string& description) {
-  // It stands in docstrings and strings of Python.
-  std::string plain;
-  for (const char letter : description) {
-    const bool printable = static_cast<unsigned char>(letter) >= 0x20;
-    plain += letter == '"' ? '\'' : letter == '\\' ? '/' : printable ? letter : ' ';
-  }
-  const Words words{name, ClassName(name), package, plain};
+  const Words words{name, ClassName(name), package, Plain(description)};
   const std::string folder = std::string(KindName(kind)) + "s";
   const std::string own = "src/" + package + "/" + folder + "/";
   const std::string builder = "src/" + package + "/builder/" + folder + "/";
@@ -459,6 +649,21 @@ std::vector<ProjectFile> NewComponent(ComponentKind kind, const std::string& nam
     files.push_back({"data/" + package + "/robots/" + name + ".obj", Filled(kRobotShape, words)});
   }
   return files;
+}
+
+std::vector<ProjectFile> NewPlugin(ComponentKind kind, const std::string& name,
+                                   const std::string& package, const std::string& description,
+                                   const std::string& include) {
+  const Words words{name, ClassName(name), package, Plain(description)};
+  const std::string kind_name(KindName(kind));
+  const bool senses = kind == ComponentKind::kSensor;
+  const std::string source = "src/" + package + "/plugins/";
+  std::string builder = Filled(kPluginBuilder, words);
+  builder = Replaced(std::move(builder), "@KIND@", kind_name);
+  builder = Replaced(std::move(builder), "@CREATOR@", senses ? "SensorCreator" : "ActuatorCreator");
+  return {{source + name + ".cpp", Filled(senses ? kSensorPlugin : kActuatorPlugin, words)},
+          {source + "Makefile", Replaced(kPluginMakefile, "@INCLUDE@", include)},
+          {"src/" + package + "/builder/" + kind_name + "s/" + name + ".py", std::move(builder)}};
 }
 
 std::string BuilderImport(const std::string& name) {

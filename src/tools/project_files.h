@@ -38,6 +38,13 @@ std::vector<ProjectFile> NewProject(const std::string& name, bool with_scenario)
 std::vector<ProjectFile> NewComponent(ComponentKind kind, const std::string& name,
                                       const std::string& package, const std::string& description);
 
+/// The same for a sensor or actuator in C++: src/PACKAGE/plugins/NAME.cpp, a Makefile beside it
+/// that builds every .cpp of the folder, and the class for builder scripts. `include` is the folder
+/// of ccmorse/plugin.h here, which is used where pkg-config does not know ccmorse.
+std::vector<ProjectFile> NewPlugin(ComponentKind kind, const std::string& name,
+                                   const std::string& package, const std::string& description,
+                                   const std::string& include);
+
 /// The line for src/PACKAGE/builder/KINDs/__init__.py that lets scripts import the component.
 std::string BuilderImport(const std::string& name);
 

@@ -22,12 +22,15 @@
 #include "base/log.h"
 #include "scene/player/import.h"
 #include "scene/scenario.h"
+#include "servers/own/own_components.h"
+#include "servers/own/plugin_host.h"
 #include "servers/player/mirror.h"
 #include "servers/record/recorder.h"
 #include "servers/run_report.h"
 #include "servers/runner.h"
 #include "servers/web/web_server.h"
 #include "tools/builder_script.h"
+#include "tools/child_process.h"
 #include "tools/open_browser.h"
 #include "tools/stop_signals.h"
 #include "tools/top_view.h"
@@ -233,6 +236,7 @@ int Run(const RunArguments& arguments) {
     LogWarning("{} threads are more than this machine's {} processors and only cost time",
                arguments.threads, std::thread::hardware_concurrency());
   }
+  servers::DescribePlugins(scenario);
   const StopSignals signals;  // before the simulation's threads
   sim::Simulation simulation(std::move(scenario), arguments.threads);
   simulation.canvas().set_picture_folder(arguments.out);
@@ -247,6 +251,15 @@ int Run(const RunArguments& arguments) {
     const servers::RecordOptions record{arguments.record_data, arguments.hash_every,
                                         arguments.contest};
     runner.AddWatcher(recorder.emplace(simulation, arguments.record, record));
+  }
+
+  std::optional<servers::OwnComponents> own;
+  if (servers::OwnComponents::AreThere(simulation.scenario())) {
+    servers::OwnOptions own_options;
+    own_options.python = FindInPath("python3");
+    own_options.python_folder = FindPythonFolder();
+    own_options.time_limit = arguments.component_timeout;
+    runner.AddParticipant(own.emplace(simulation, runner.directory(), own_options));
   }
 
   const std::unique_ptr<servers::WebServer> view = ServeView(arguments, simulation, runner);

@@ -20,6 +20,7 @@ struct RunArguments {
   std::optional<std::int64_t> seed;  ///< >= 0
   int clients = 1;                   ///< lock-step: wait for so many
   double client_timeout = 10.0;      ///< lock-step: s of wall time a client may hang; 0: for ever
+  double component_timeout = 1.0;    ///< s of wall time that code of a component's own may take
   int port = 4000;                   ///< 0: any free one
   int stream_port = 60000;           ///< 0: any free ones
   int view_port = 8000;              ///< of the live view, or the next free one; 0: any

@@ -3,7 +3,7 @@
 import os
 import sys
 
-_HERE = os.path.dirname(os.path.abspath(__file__))
+_HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))  # of all of morse
 
 notes = []  # of Note, in order
 

@@ -5,7 +5,7 @@ import math
 import os
 import re
 
-from morse.builder import bpymorse, data, places
+from morse.builder import bpymorse, data, own, places
 from morse.builder.abstractcomponent import AbstractComponent, Configuration
 from morse.builder.blenderobjects import Mesh
 from morse.builder.environment import Environment, _stand_in
@@ -149,7 +149,9 @@ def _robot(robot, names):
     result["components"] = components
     if "socket" in robot.services:
         result["services"] = True
-    if "body" in result and any(one["type"] in _SIDEWAYS for one in components):
+    if "body" in result and any(one["type"] in _SIDEWAYS or
+                                one.get("own", {}).get("kind") == "actuator"
+                                for one in components):
         result["body"]["drive"] = "omni"
         result["body"]["max_side_speed"] = _FASTEST
     for modifier in robot.modifiers:
@@ -239,8 +241,11 @@ def simulated_type(component):
 
 def _component(component, robot, name, frame):
     full = "%s.%s" % (robot, name)
-    kind = simulated_type(component)
     label = type(component).__name__
+    code = own.code_of(component, full)
+    if code is not None:
+        return _own_component(component, full, name, frame, code)
+    kind = simulated_type(component)
     if kind is None:
         if isinstance(component, Mesh):
             return None
@@ -279,6 +284,24 @@ def _component(component, robot, name, frame):
                 continue
         places.note("%s: the modifier %s is not simulated yet" %
                     (full, modifier["name"] or modifier["classpath"]), modifier["place"])
+    return result
+
+
+def _own_component(component, full, name, frame, code):
+    """A component whose code is the user's."""
+    turn, place = frame
+    result = {
+        "name": name, "type": code["code"].rsplit(".", 1)[-1], "frequency": component.rate or 60.0,
+        "position": place, "rotation": [angle + 0.0 for angle in bpymorse.euler_angles(turn)],
+        "stream": any(stream["middleware"] == "socket" for stream in component.streams),
+        "services": "socket" in component.services, "own": code}
+    if code["language"] == "c++":
+        result["type"] = os.path.splitext(os.path.basename(code["code"]))[0]
+    given = _given_properties(component, code["properties"] if code["language"] == "python" else None)
+    if given:
+        result["properties"] = given
+    for modifier in component.modifiers:
+        places.note("%s: modifiers do not alter components of one's own" % full, modifier["place"])
     return result
 
 

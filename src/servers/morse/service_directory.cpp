@@ -12,6 +12,7 @@
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "servers/morse/arena_services.h"
+#include "servers/own/own_change.h"
 
 namespace ccmorse::servers {
 namespace {
@@ -387,6 +388,14 @@ void ServiceDirectory::Interrupt(std::string_view component) {
   found->Interrupt();
 }
 
+void ServiceDirectory::ChangeOwn(sim::OwnComponent& component, const Json& change) {
+  const OwnChange parsed = OwnChange::Parse(change);
+  if (input_tap_) {
+    input_tap_({Input::Kind::kOwn, component.component().full_name(), {}, change.Dump()});
+  }
+  parsed.Apply(simulation_, component);
+}
+
 void ServiceDirectory::Apply(const Input& input) {
   switch (input.kind) {
     case Input::Kind::kService: {
@@ -420,6 +429,13 @@ void ServiceDirectory::Apply(const Input& input) {
       if (simulation_.FindComponent(input.component) == nullptr) break;
       Interrupt(input.component);
       return;
+    case Input::Kind::kOwn: {
+      auto* const own =
+          dynamic_cast<sim::OwnComponent*>(simulation_.FindComponent(input.component));
+      if (own == nullptr) break;
+      ChangeOwn(*own, Json::Parse(input.arguments));
+      return;
+    }
   }
   throw Error("no input of a run: '" + std::string(input.component) + " " +
               std::string(input.service) + "'");

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "servers/sample_use.h"
+#include "sim/own/own_component.h"
 #include "sim/service.h"
 #include "sim/simulation.h"
 
@@ -58,12 +59,13 @@ struct Input {
     kBytes,      ///< a call of a service with arguments in bytes, over the fast link
     kStream,     ///< a message of an actuator's stream
     kInterrupt,  ///< the end of a component's asynchronous service (`cancel`)
+    kOwn,        ///< what the code of a component of one's own has done (own/own_change.h)
   };
   Kind kind = Kind::kService;
   std::string_view component;  ///< "s1r.motion", or "simulation"
   std::string_view service;    ///< of a call
-  std::string arguments;  ///< JSON: the list of a call's arguments, or the stream's message; the
-                          ///< bytes as base64
+  std::string arguments;  ///< JSON: the list of a call's arguments, the stream's message, or what
+                          ///< own code has done; the bytes as base64
 };
 
 /// Every service that can be called over MORSE's socket protocol, by component and name, with
@@ -103,6 +105,10 @@ class ServiceDirectory {
   /// Ends the running asynchronous service of a component as PREEMPTED; nothing where none runs or
   /// there is no such component.
   void Interrupt(std::string_view component);
+
+  /// Does what the code of a component of one's own wants done. Throws Error when it is nothing
+  /// that can be done, and does none of it then.
+  void ChangeOwn(sim::OwnComponent& component, const Json& change);
 
   /// Is told of every input in the order in which they are applied, just before each. The
   /// functions above are the only door for what comes from outside.

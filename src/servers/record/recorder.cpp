@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -160,6 +161,21 @@ DataChoice ChooseData(const sim::Simulation& simulation, const std::string& text
   return choice;
 }
 
+// The scenario without the places of its components' own code: equal runs give equal bytes wherever
+// they are.
+scene::Scenario WithoutPlaces(scene::Scenario scenario) {
+  for (scene::RobotDef& robot : scenario.robots) {
+    if (!robot.components) continue;
+    for (scene::ComponentDef& component : *robot.components) {
+      if (!component.own) continue;
+      component.own->path.clear();
+      if (component.own->language != "c++") continue;
+      component.own->code = std::filesystem::path(component.own->code).filename().string();
+    }
+  }
+  return scenario;
+}
+
 const char* KindWord(Input::Kind kind) {
   switch (kind) {
     case Input::Kind::kService:
@@ -168,6 +184,8 @@ const char* KindWord(Input::Kind kind) {
       return "bytes";
     case Input::Kind::kStream:
       return "stream";
+    case Input::Kind::kOwn:
+      return "own";
     case Input::Kind::kInterrupt:
       break;
   }
@@ -236,7 +254,7 @@ void Recorder::WriteStart() {
                    {"ccmorse", CCMORSE_VERSION},
                    {"name", simulation_.scenario().name},
                    {"hash_every", static_cast<std::int64_t>(options_.hash_every.value_or(1))},
-                   {"scenario", scene::ToJson(simulation_.scenario())}});
+                   {"scenario", scene::ToJson(WithoutPlaces(simulation_.scenario()))}});
   if (options_.contest) start.Set("contest", true);
   writer_->Write(AddTopic(kStartTopic, kStartSchema), 0, start.Dump());
 }

@@ -199,6 +199,9 @@ void Replay::ApplyInputs() {
       } else if (kind == "stream") {
         input.kind = Input::Kind::kStream;
         input.arguments = Text(message_, "arguments");
+      } else if (kind == "own") {
+        input.kind = Input::Kind::kOwn;
+        input.arguments = Text(message_, "arguments");
       } else if (kind == "interrupt") {
         input.kind = Input::Kind::kInterrupt;
       } else {

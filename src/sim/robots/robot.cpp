@@ -16,6 +16,7 @@
 #include "sim/actuators/teleport.h"
 #include "sim/actuators/waypoint.h"
 #include "sim/canvas.h"
+#include "sim/own/own_component.h"
 #include "sim/robots/s1r.h"
 #include "sim/sensors/accelerometer.h"
 #include "sim/sensors/airspeed.h"
@@ -154,6 +155,7 @@ void SetProperties(Component& component, const Json& properties) {
 
 Component& AddComponent(Robot& robot, const scene::ComponentDef& def,
                         const scene::Scenario& scenario, const World& world, Canvas& canvas) {
+  if (def.own) return AddOwn(robot, def);
   if (def.type == "LaserScanner") {
     return robot.Add(
         std::make_unique<LaserScanner>(robot, def.name, def.laser, world, scenario.seed));

@@ -1,0 +1,2 @@
+from .pen import Pen
+from .brush import Brush

@@ -1,0 +1,1 @@
+from .robotproperties import RobotProperties

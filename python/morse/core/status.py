@@ -1,0 +1,5 @@
+"""How a service ended."""
+
+SUCCESS = "SUCCESS"
+FAILED = "FAILED"
+PREEMPTED = "PREEMPTED"

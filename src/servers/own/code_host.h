@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "base/json.h"
+#include "sim/own/own_component.h"
+#include "sim/service.h"
+#include "sim/simulation.h"
+
+namespace ccmorse::servers {
+
+/// Something that the code of a component is to do.
+struct OwnTask {
+  enum class Kind {
+    kActivate,   ///< its default action: it is due
+    kCall,       ///< a service that answers at once
+    kStart,      ///< one that answers later
+    kInterrupt,  ///< its running service is to end as PREEMPTED
+  };
+  sim::OwnComponent* component = nullptr;
+  Kind kind = Kind::kActivate;
+  std::string service = {};
+  sim::Arguments arguments = {};  ///< valid during the call that the task is handed on by
+  std::int64_t ticket = 0;        ///< of kStart: by which its end is told
+};
+
+/// What came of a task. JSON in an object's members:
+///   change    what is to be done (OwnChange)
+///   result    of kCall
+///   failed    text: the service's FAILED
+///   wrong     text: likewise, an argument is of the wrong type
+///   ended     list of [ticket, "SUCCESS" | "FAILED" | "PREEMPTED", result] of services that ended
+///   error     text for the log; the component goes on
+///   anew      true: its code was started anew, and what it was doing is lost
+///   off       text for the log: the component must not be asked again
+using OwnAnswer = Json;
+
+/// Runs the code of the components of one language. Not thread safe.
+class CodeHost {
+ public:
+  virtual ~CodeHost() = default;
+
+  /// Takes each answer, in the order of the tasks.
+  using Taker = std::function<void(const OwnTask&, const OwnAnswer&)>;
+
+  /// Has tasks done one after the other. Never throws on what the code does: that is in the
+  /// answers.
+  virtual void Perform(std::span<const OwnTask> tasks, const Taker& taker) = 0;
+};
+
+}  // namespace ccmorse::servers

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "servers/own/code_host.h"
+#include "servers/own/python_process.h"
+#include "sim/simulation.h"
+
+namespace ccmorse::servers {
+
+struct OwnOptions;
+
+/// Runs the components that are written in Python, all in one process of their own
+/// (python/morse/core/host.py). One that hangs or crashes the process costs the others only what
+/// they kept beside their local_data: they are made anew in a new process.
+class PythonHost : public CodeHost {
+ public:
+  using Asker = std::function<Json(const Json&)>;
+
+  /// Makes `components`, which it gives to `taker` one by one. `asker` answers what their code asks
+  /// of others' services. Throws Error.
+  PythonHost(sim::Simulation& simulation, std::vector<sim::OwnComponent*> components,
+             const OwnOptions& options, Asker asker, const Taker& taker);
+
+  void Perform(std::span<const OwnTask> tasks, const Taker& taker) override;
+
+ private:
+  using Clock = PythonProcess::Clock;
+
+  void Begin(const Taker& taker, bool anew);
+  Json Scene(bool anew) const;
+  Json Birth(const sim::OwnComponent& component, bool anew) const;
+  Json TaskJson(const OwnTask& task) const;
+  Json Poses(std::span<const OwnTask> tasks) const;
+  // What is answered to one task; null: the process has hung or died over it.
+  Json ReadAnswer(std::chrono::duration<double> limit, std::string* reason);
+  std::string LastPlace(const sim::OwnComponent& component) const;
+
+  sim::Simulation& simulation_;
+  std::vector<sim::OwnComponent*> components_;  // that are not off
+  std::string python_;
+  std::string folder_;
+  std::chrono::duration<double> limit_;
+  std::chrono::duration<double> start_limit_;
+  Asker asker_;
+  std::unique_ptr<PythonProcess> process_;
+};
+
+}  // namespace ccmorse::servers
