@@ -69,7 +69,7 @@ class MeshMaker {
     }
     if (shown) {
       // Of pictures there would be a colour for each triangle: 32 shades a channel will do.
-      const auto shade = [](std::uint8_t c) { return static_cast<std::uint8_t>(c & 0xF8U | 4U); };
+      const auto shade = [](std::uint8_t c) { return static_cast<std::uint8_t>((c & 0xF8U) | 4U); };
       color = {shade(shown->r), shade(shown->g), shade(shown->b)};
     }
     const int key = (color.r << 16) | (color.g << 8) | color.b;

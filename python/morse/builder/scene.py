@@ -48,6 +48,11 @@ def build():
               type(item).__name__ in shapes.PRIMITIVES]
     if props:
         scene["props"] = props
+        # It depends on a robot's height what of a table is in its way.
+        solid = any(prop.get("physics", "STATIC") != "NO_COLLISION" for prop in props
+                    if "shape" in prop or "scale" in prop)
+        if solid and isinstance(scene["world"], dict):
+            scene["world"]["terrain"] = True
     scene.update(_canvas())
     zones = [item for item in AbstractComponent.components if isinstance(item, Zone)]
     if zones:
