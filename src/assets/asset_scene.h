@@ -117,7 +117,7 @@ struct AssetObject {
   /// By triangle the mean colour of what its material's picture shows there, as far as a face of
   /// one colour can; empty where no material has a picture that is laid on by coordinates.
   std::vector<Color> color_of;
-  int faces = 0;                              ///< polygons that the triangles are pieces of
+  int faces = 0;  ///< polygons that the triangles are pieces of
 
   AssetPhysics physics;
   std::vector<AssetProperty> properties;

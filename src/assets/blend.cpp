@@ -225,8 +225,7 @@ Color MeanOf(const Coating& coating, const std::array<Vec2, 3>& uv) {
       const double a = (i + third) / kSplit;
       const double b = (k / 2 + third) / kSplit;
       const Vec2 at = (1.0 - a - b) * uv[0] + a * uv[1] + b * uv[2];
-      const Color color =
-          coating.picture->At(at.x * coating.repeats.x, at.y * coating.repeats.y);
+      const Color color = coating.picture->At(at.x * coating.repeats.x, at.y * coating.repeats.y);
       sum[0] += color.r;
       sum[1] += color.g;
       sum[2] += color.b;
@@ -749,8 +748,8 @@ class BlendReader {
             loops.offset + static_cast<std::size_t>(k) * loops.type->size + vertex_at;
         face.push_back(Vertex(file_.Signed(corner, 4), corner, mesh));
         if (coordinates.count == 0) continue;
-        const std::size_t place = coordinates.offset +
-                                  static_cast<std::size_t>(k) * coordinates.type->size + uv_at;
+        const std::size_t place =
+            coordinates.offset + static_cast<std::size_t>(k) * coordinates.type->size + uv_at;
         uv.push_back({file_.Float(place), file_.Float(place + 4)});
       }
       AddFace(face, static_cast<int>(file_.Signed(at + slot_at, 2)), uv, mesh);
@@ -782,8 +781,7 @@ class BlendReader {
         if (k == 3 && vertex == 0) break;  // a triangle
         face.push_back(Vertex(vertex, at + corner_at[k], mesh));
         if (coordinates.count == 0) continue;
-        const std::size_t place =
-            coordinates.offset + i * coordinates.type->size + uv_at + 8 * k;
+        const std::size_t place = coordinates.offset + i * coordinates.type->size + uv_at + 8 * k;
         uv.push_back({file_.Float(place), file_.Float(place + 4)});
       }
       const bool has_slot = slot != faces.type->fields.end() && slot->second.size <= 4;

@@ -11,8 +11,8 @@ namespace ccmorse::assets {
 
 /// A picture of a material, small: enough for the colours of the faces that it lies on.
 struct Picture {
-  int width = 0;   ///< pixels, 1..256
-  int height = 0;  ///< likewise
+  int width = 0;              ///< pixels, 1..256
+  int height = 0;             ///< likewise
   std::vector<Color> pixels;  ///< (height x width), row 0 at the top
   Color mean;                 ///< of all of them
 

@@ -103,7 +103,9 @@ void AddRobot(const sim::Robot& robot, const Parts& parts, const PictureOptions&
     scene.AddCylinder(at(-0.022), at(0.004), 0.026, parts.scanner);
     scene.AddCylinder(at(0.004), at(0.022), 0.023, parts.scanner);
     const sim::BeamFan& fan = laser->fan();
-    if (!options.lasers || !fan.upright() || robot.tilted() || fan.count() < 2 || laser->ranges().empty()) continue;
+    if (!options.lasers || !fan.upright() || robot.tilted() || fan.count() < 2 ||
+        laser->ranges().empty())
+      continue;
     const Vec3 first = fan.Direction(0);
     const Vec3 second = fan.Direction(1);
     Fan film;
@@ -119,7 +121,9 @@ void AddRobot(const sim::Robot& robot, const Parts& parts, const PictureOptions&
 }
 
 void AddMesh(const scene::Mesh& mesh, PictureScene& scene) {
-  if (mesh.drawn) AddTriangles(mesh, [](const Vec3& v) { return v; }, scene);
+  if (mesh.drawn)
+    AddTriangles(
+        mesh, [](const Vec3& v) { return v; }, scene);
 }
 
 void AddLamps(const scene::World& world, PictureScene& scene) {

@@ -63,9 +63,8 @@ std::vector<int> Chosen(const assets::AssetScene& asset, const std::string& pref
   const auto is_root = [&](int index) {
     const assets::AssetObject& object = asset.objects[static_cast<std::size_t>(index)];
     if (object.light || object.camera) return false;
-    return std::none_of(chosen.begin(), chosen.end(), [&](int other) {
-      return other != index && IsBelow(asset, index, other);
-    });
+    return std::none_of(chosen.begin(), chosen.end(),
+                        [&](int other) { return other != index && IsBelow(asset, index, other); });
   };
   const auto root = std::find_if(chosen.begin(), chosen.end(), is_root);
   if (root == chosen.end()) return {};
@@ -178,7 +177,8 @@ std::vector<HullPart> SlicedHull(const std::vector<Mesh>& meshes, double lowest)
     }
     std::vector<Vec2> outline = RoundedHull(std::move(points), kHullCorners);
     if (outline.size() < 3) continue;
-    if (!hull.empty() && hull.back().top == bottom - lowest && Alike(hull.back().outline, outline)) {
+    if (!hull.empty() && hull.back().top == bottom - lowest &&
+        Alike(hull.back().outline, outline)) {
       hull.back().top = top - lowest;
     } else {
       hull.push_back({std::move(outline), bottom - lowest, top - lowest});

@@ -11,9 +11,9 @@ namespace ccmorse::scene {
 /// How a file's objects become a thing: MORSE's PassiveObject (specs: morse.md B.6), whose first
 /// object is the root that all others go with.
 struct PropPlace {
-  bool keep_pose = false;      ///< position and rotation are added to the root's own
-  Vec3 scale{1.0, 1.0, 1.0};   ///< along the root's axes
-  std::string physics;         ///< in place of the file's: MORSE's name of a type; "": the file's
+  bool keep_pose = false;     ///< position and rotation are added to the root's own
+  Vec3 scale{1.0, 1.0, 1.0};  ///< along the root's axes
+  std::string physics;        ///< in place of the file's: MORSE's name of a type; "": the file's
 };
 
 /// The meshes of those of the file's objects whose names start with `prop.object` (all that the

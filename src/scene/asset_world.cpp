@@ -38,9 +38,9 @@ class MeshMaker {
         triangle[k] = at[vertex];
       }
       mesh_.triangles.push_back(triangle);
-      const int index = PaletteIndex(object.material_of[i], object.color_of.empty()
-                                                                ? std::nullopt
-                                                                : std::optional(object.color_of[i]));
+      const int index =
+          PaletteIndex(object.material_of[i],
+                       object.color_of.empty() ? std::nullopt : std::optional(object.color_of[i]));
       mesh_.color_of.push_back(index);
     }
   }

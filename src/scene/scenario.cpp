@@ -408,8 +408,8 @@ void ReadModel(const Field& field, bool has_footprint, BodyDef& body) {
   reader.Finish();
   try {
     const std::string folder = std::filesystem::path(field.file()).parent_path().string();
-    RobotShape shape = RobotShapeOf(assets::LoadAsset(assets::FindAsset(file.Text(), folder)),
-                                    physics, scale);
+    RobotShape shape =
+        RobotShapeOf(assets::LoadAsset(assets::FindAsset(file.Text(), folder)), physics, scale);
     for (Mesh& mesh : shape.shape) {
       Mesh simple = Simplified(std::move(mesh), kMostShown);
       if (paint) Paint(*paint, simple);

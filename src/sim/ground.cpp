@@ -15,12 +15,12 @@ namespace {
 
 constexpr double kSteepest = 0.642787609686539;  // cosine of 50 degrees
 constexpr double kRise = 1.1917535925942100;     // its tangent
-constexpr double kSeam = 1e-9;       // share of a triangle by which neighbours overlap
-constexpr double kMostCells = 512;   // along each side of the grid
-constexpr double kMarch = 0.05;      // m from one look at the ground to the next
-constexpr double kLevel = 0.03;      // m by which ground may differ from where a march ends
-constexpr double kWheels = 0.8;      // of the footprint's extent: where the wheels are
-constexpr double kSink = 1e-6;       // m: ground as high as the start of a search counts
+constexpr double kSeam = 1e-9;                   // share of a triangle by which neighbours overlap
+constexpr double kMostCells = 512;               // along each side of the grid
+constexpr double kMarch = 0.05;                  // m from one look at the ground to the next
+constexpr double kLevel = 0.03;  // m by which ground may differ from where a march ends
+constexpr double kWheels = 0.8;  // of the footprint's extent: where the wheels are
+constexpr double kSink = 1e-6;   // m: ground as high as the start of a search counts
 
 // z of the triangle's plane at a point within it; nothing beside it.
 std::optional<double> HeightAt(const std::array<Vec3, 3>& t, Vec2 at) {
@@ -44,7 +44,8 @@ Vec2 NearestOf(const std::vector<Vec2>& outline, Vec2 point) {
     const Vec2 from = outline[i];
     const Vec2 edge = outline[(i + 1) % outline.size()] - from;
     const double length = Dot(edge, edge);
-    const double along = length > 0.0 ? std::clamp(Dot(point - from, edge) / length, 0.0, 1.0) : 0.0;
+    const double along =
+        length > 0.0 ? std::clamp(Dot(point - from, edge) / length, 0.0, 1.0) : 0.0;
     const Vec2 on = from + along * edge;
     const double far = Dot(on - point, on - point);
     if (far < least) {

@@ -1,5 +1,5 @@
-// Robots on meshes that are the ground (scene::World::terrain; docs/assets.md): how high they stand,
-// how they lean, what stops them, and what their sensors see from there.
+// Robots on meshes that are the ground (scene::World::terrain; docs/assets.md): how high they
+// stand, how they lean, what stops them, and what their sensors see from there.
 
 #include "sim/ground.h"
 
@@ -61,8 +61,7 @@ class Trial {
   Simulation& simulation() { return *simulation_; }
   void Drive(double v, double seconds, const std::string& name = "robot") {
     auto* const motion = simulation_->FindComponent(name + ".motion");
-    dynamic_cast<Actuator&>(*motion).Receive(
-        Json(Json::Object{{"v", v}, {"w", 0.0}}));
+    dynamic_cast<Actuator&>(*motion).Receive(Json(Json::Object{{"v", v}, {"w", 0.0}}));
     Run(seconds);
   }
   void Run(double seconds) {
@@ -84,9 +83,9 @@ class Trial {
 };
 
 TEST(Ground, RobotsDriveUpASlopeAndLean) {
-  Trial trial(Scene(std::string(kPlane) + "," + kRamp,
-                    RobotText("robot", 0, 0, 1.0, "",
-                              R"(, {"name": "pose", "type": "Pose"},
+  Trial trial(
+      Scene(std::string(kPlane) + "," + kRamp, RobotText("robot", 0, 0, 1.0, "",
+                                                         R"(, {"name": "pose", "type": "Pose"},
                                  {"name": "gyroscope", "type": "Gyroscope"},
                                  {"name": "velocity", "type": "Velocity"})")));
   EXPECT_EQ(trial.robot().position().z, 0.1);
@@ -98,7 +97,8 @@ TEST(Ground, RobotsDriveUpASlopeAndLean) {
   EXPECT_NEAR(trial.Field("pose", "z"), 1.1, 1e-9);
   EXPECT_NEAR(trial.Field("pose", "pitch"), -std::atan(0.5), 1e-9);
   EXPECT_NEAR(trial.Field("gyroscope", "pitch"), -std::atan(0.5), 1e-9);
-  const Json velocity = Json::Parse(trial.simulation().FindComponent("robot.velocity")->LocalData());
+  const Json velocity =
+      Json::Parse(trial.simulation().FindComponent("robot.velocity")->LocalData());
   EXPECT_NEAR(velocity.Find("world_linear_velocity")->AsArray()[2].AsDouble(), 0.5, 1e-9);
   trial.Drive(1.0, 4.0);  // onto the top
   EXPECT_NEAR(trial.robot().position().z, 2.1, 1e-9);
@@ -110,7 +110,8 @@ TEST(Ground, RobotsDriveUpASlopeAndLean) {
 }
 
 TEST(Ground, ARobotAcrossASlopeRolls) {
-  Trial trial(Scene(std::string(kPlane) + "," + kRamp, RobotText("robot", 4, 0, 1.0, R"(, "z": 1.2)")));
+  Trial trial(
+      Scene(std::string(kPlane) + "," + kRamp, RobotText("robot", 4, 0, 1.0, R"(, "z": 1.2)")));
   trial.robot().Orient(1.5707963267948966);  // its left is downhill, towards -x
   EXPECT_NEAR(trial.robot().stand().roll, -std::atan(0.5), 1e-9);
   EXPECT_NEAR(trial.robot().stand().pitch, 0.0, 1e-9);
@@ -175,7 +176,8 @@ TEST(Ground, ARobotComesDownOnTheStoreyBeneathIt) {
 TEST(Ground, WhatFliesKeepsItsHeight) {
   std::string robot = RobotText("robot", 0, 0, 1.9);
   robot.replace(robot.find("\"bottom\": 0.05"), 14, "\"bottom\": 1.60");
-  robot.replace(robot.find("\"origin_height\": 0.1"), 20, "\"flies\": true, \"origin_height\": 1.7");
+  robot.replace(robot.find("\"origin_height\": 0.1"), 20,
+                "\"flies\": true, \"origin_height\": 1.7");
   Trial trial(Scene(std::string(kPlane) + "," + kRamp, robot));
   trial.Drive(1.0, 3.0);
   EXPECT_EQ(trial.robot().position().z, 1.7);
@@ -195,7 +197,8 @@ TEST(Ground, ALaserLeansWithItsRobot) {
   };
   // 0.5 m up the slope is 1 m behind its beginning at x = 2.
   EXPECT_NEAR(ahead(level), 3.0, 1e-9);
-  Trial leaning(Scene(std::string(kPlane) + "," + kRamp, RobotText("robot", 4, 0, 1.0, R"(, "z": 1.2)", laser)));
+  Trial leaning(Scene(std::string(kPlane) + "," + kRamp,
+                      RobotText("robot", 4, 0, 1.0, R"(, "z": 1.2)", laser)));
   leaning.Run(0.1);
   EXPECT_NEAR(leaning.robot().position().z, 1.1, 1e-9);
   EXPECT_EQ(ahead(leaning), 30.0) << "along the slope it sees nothing of it";

@@ -157,8 +157,8 @@ TEST_F(Props, WrittenInFullTheSceneNeedsNoFile) {
 }
 
 TEST_F(Props, ARobotsModelIsItsBody) {
-  const scene::Scenario scenario = Parse(
-      Room("", 0.72, R"(, {"name": "rover", "pose": {"x": 1, "y": 0}, "type": "Custom",
+  const scene::Scenario scenario =
+      Parse(Room("", 0.72, R"(, {"name": "rover", "pose": {"x": 1, "y": 0}, "type": "Custom",
                           "body": {"model": {"file": "rover.obj"}}})"));
   const scene::BodyDef& body = *scenario.robots[1].body;
   EXPECT_EQ(body.origin_height, 0.2);
@@ -171,8 +171,8 @@ TEST_F(Props, ARobotsModelIsItsBody) {
   EXPECT_EQ(body.shape.size(), 2U);
   // Others see the wide part below and the narrow one above.
   EXPECT_NEAR(Ahead(scenario), 3.0 - 0.1, 1e-9);
-  const scene::Scenario low = Parse(
-      Room("", 0.3, R"(, {"name": "rover", "pose": {"x": 1, "y": 0}, "type": "Custom",
+  const scene::Scenario low =
+      Parse(Room("", 0.3, R"(, {"name": "rover", "pose": {"x": 1, "y": 0}, "type": "Custom",
                           "body": {"model": {"file": "rover.obj"}}})"));
   EXPECT_NEAR(Ahead(low), 3.0 - 0.4, 1e-9);
 }

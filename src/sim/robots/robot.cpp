@@ -73,10 +73,10 @@ void Robot::Move(const Instant& now, std::span<const Obstacle* const> obstacles)
   twist_ = command_;
   stalled_ = false;
   if (command_.v != 0.0 || command_.w != 0.0 || command_.side != 0.0) {
-    const MotionResult moved =
-        ground_ != nullptr ? MoveOnGround(now, obstacles)
-                           : DriveUntilContact(footprint_, pose_, command_.v, command_.w, now.step,
-                                               obstacles, command_.side);
+    const MotionResult moved = ground_ != nullptr
+                                   ? MoveOnGround(now, obstacles)
+                                   : DriveUntilContact(footprint_, pose_, command_.v, command_.w,
+                                                       now.step, obstacles, command_.side);
     pose_ = moved.pose;
     tally_.distance += moved.driven;
     stalled_ = moved.blocked;
