@@ -193,6 +193,7 @@ struct LocalMesh {
   std::vector<int> slot_of;  // of materials, by triangle
   /// Texture coordinates of the corners, by triangle; empty where the mesh has none.
   std::vector<std::array<Vec2, 3>> uv_of;
+  std::vector<int> face_of;  // counted through, by triangle
   int faces = 0;
 };
 
@@ -704,6 +705,7 @@ class BlendReader {
                                 face[static_cast<std::size_t>(b)],
                                 face[static_cast<std::size_t>(c)]});
       mesh.slot_of.push_back(slot);
+      mesh.face_of.push_back(mesh.faces);
       if (uv.size() != face.size()) continue;
       mesh.uv_of.push_back({uv[static_cast<std::size_t>(a)], uv[static_cast<std::size_t>(b)],
                             uv[static_cast<std::size_t>(c)]});
@@ -838,6 +840,24 @@ class BlendReader {
     const bool any = std::any_of(object.material_of.begin(), object.material_of.end(),
                                  [&](int material) { return coating_of(material) != nullptr; });
     if (!any) return;
+    // The triangles of a face have one colour, or one would see how it was cut up.
+    std::unordered_map<int, std::array<double, 4>> sum_of;
+    const auto triangle_of = [this](std::size_t i) { return static_cast<std::size_t>(kept_[i]); };
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      const Coating* const coating = coating_of(object.material_of[i]);
+      if (coating == nullptr) continue;
+      const auto& [a, b, c] = object.triangles[i];
+      const Vec3& first = object.vertices[static_cast<std::size_t>(a)];
+      const Vec3 normal = Cross(object.vertices[static_cast<std::size_t>(b)] - first,
+                                object.vertices[static_cast<std::size_t>(c)] - first);
+      const double area = std::sqrt(Dot(normal, normal));
+      const Color mean = MeanOf(*coating, mesh.uv_of[triangle_of(i)]);
+      std::array<double, 4>& sum = sum_of[mesh.face_of[triangle_of(i)]];
+      sum[0] += area * mean.r;
+      sum[1] += area * mean.g;
+      sum[2] += area * mean.b;
+      sum[3] += area;
+    }
     for (std::size_t i = 0; i < kept_.size(); ++i) {
       const int index = object.material_of[i];
       Color color{204, 204, 204};
@@ -845,8 +865,11 @@ class BlendReader {
         const AssetMaterial& material = scene_.materials[static_cast<std::size_t>(index)];
         color = material.pictured.value_or(material.color);
         if (const Coating* const coating = coating_of(index)) {
-          const auto& uv = mesh.uv_of[static_cast<std::size_t>(kept_[i])];
-          color = Coated(*coating, material.color, MeanOf(*coating, uv));
+          const std::array<double, 4>& sum = sum_of[mesh.face_of[triangle_of(i)]];
+          const auto share = [&sum](std::size_t k) {
+            return static_cast<std::uint8_t>(std::lround(sum[k] / sum[3]));
+          };
+          color = Coated(*coating, material.color, {share(0), share(1), share(2)});
         }
       }
       object.color_of.push_back(color);

@@ -17,11 +17,12 @@ namespace {
 constexpr std::size_t kLargest = 16384;  // pixels a side
 constexpr std::size_t kSmall = 256;      // likewise, of what is kept
 
-// Rows of red, green, blue from the top, as decoded.
+// Rows from the top, as decoded: red, green, blue, and opacity where there are four channels.
 struct Raw {
   std::size_t width = 0;
   std::size_t height = 0;
   std::vector<std::uint8_t> bytes;
+  std::size_t channels = 3;
 };
 
 std::optional<Raw> ReadPng(std::span<const std::uint8_t> bytes) {
@@ -32,10 +33,9 @@ std::optional<Raw> ReadPng(std::span<const std::uint8_t> bytes) {
     png_image_free(&png);
     return std::nullopt;
   }
-  png.format = PNG_FORMAT_RGB;
-  Raw raw{png.width, png.height, std::vector<std::uint8_t>(PNG_IMAGE_SIZE(png))};
-  const png_color white{255, 255, 255};  // behind what is transparent
-  if (png_image_finish_read(&png, &white, raw.bytes.data(), 0, nullptr) == 0) return std::nullopt;
+  png.format = PNG_FORMAT_RGBA;
+  Raw raw{png.width, png.height, std::vector<std::uint8_t>(PNG_IMAGE_SIZE(png)), 4};
+  if (png_image_finish_read(&png, nullptr, raw.bytes.data(), 0, nullptr) == 0) return std::nullopt;
   return raw;
 }
 
@@ -135,30 +135,38 @@ Picture Reduced(const Raw& raw) {
   const std::size_t step = (std::max(raw.width, raw.height) + kSmall - 1) / kSmall;
   picture.width = static_cast<int>((raw.width + step - 1) / step);
   picture.height = static_cast<int>((raw.height + step - 1) / step);
+  // What is transparent has no colour: a leaf is green, whatever is around it in the picture.
   std::array<std::uint64_t, 3> all{};
+  std::uint64_t whole = 0;
+  std::vector<std::size_t> clear;
   for (std::size_t y = 0; y < raw.height; y += step) {
     for (std::size_t x = 0; x < raw.width; x += step) {
       std::array<std::uint64_t, 3> sum{};
-      std::uint64_t count = 0;
+      std::uint64_t weight = 0;
       for (std::size_t v = y; v < std::min(raw.height, y + step); ++v) {
-        for (std::size_t u = x; u < std::min(raw.width, x + step); ++u, ++count) {
-          const std::size_t at = 3 * (v * raw.width + u);
-          for (std::size_t k = 0; k < 3; ++k) sum[k] += raw.bytes[at + k];
+        for (std::size_t u = x; u < std::min(raw.width, x + step); ++u) {
+          const std::size_t at = raw.channels * (v * raw.width + u);
+          const std::uint64_t opaque = raw.channels == 4 ? raw.bytes[at + 3] : 255U;
+          for (std::size_t k = 0; k < 3; ++k) sum[k] += opaque * raw.bytes[at + k];
+          weight += opaque;
         }
       }
+      if (weight == 0) clear.push_back(picture.pixels.size());
       for (std::size_t k = 0; k < 3; ++k) {
-        sum[k] /= count;
         all[k] += sum[k];
+        sum[k] /= std::max<std::uint64_t>(1, weight);
       }
+      whole += weight;
       picture.pixels.push_back({static_cast<std::uint8_t>(sum[0]),
                                 static_cast<std::uint8_t>(sum[1]),
                                 static_cast<std::uint8_t>(sum[2])});
     }
   }
-  const std::uint64_t count = picture.pixels.size();
-  picture.mean = {static_cast<std::uint8_t>(all[0] / count),
-                  static_cast<std::uint8_t>(all[1] / count),
-                  static_cast<std::uint8_t>(all[2] / count)};
+  whole = std::max<std::uint64_t>(1, whole);
+  picture.mean = {static_cast<std::uint8_t>(all[0] / whole),
+                  static_cast<std::uint8_t>(all[1] / whole),
+                  static_cast<std::uint8_t>(all[2] / whole)};
+  for (const std::size_t at : clear) picture.pixels[at] = picture.mean;
   return picture;
 }
 

@@ -14,7 +14,7 @@ struct Picture {
   int width = 0;              ///< pixels, 1..256
   int height = 0;             ///< likewise
   std::vector<Color> pixels;  ///< (height x width), row 0 at the top
-  Color mean;                 ///< of all of them
+  Color mean;                 ///< of all of them, as far as they are opaque
 
   /// The pixel at texture coordinates, which repeat: (0, 0) is the bottom left corner, (1, 1) the
   /// top right one. Any finite numbers.
