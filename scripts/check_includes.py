@@ -57,7 +57,8 @@ HEAVY = {
     "CLI/": r"src/tools/(main\.cpp|\w+_command\.cpp|(command_line|morse_options)\.(h|cpp))",
     "zip.h": r"src/tools/zip_archive\.cpp",
     "spdlog/": r"src/base/log\.cpp",
-    "png.h": r"src/base/image\.cpp",
+    "png.h": r"src/base/image\.cpp|src/assets/picture\.cpp|tests/assets/picture_test\.cpp",
+    "jpeglib.h": r"src/assets/picture\.cpp|tests/assets/picture_test\.cpp",
     "zlib.h": r"src/wire/.*\.cpp|src/assets/(gzip|cache)\.cpp|src/bench/view_bench\.cpp",
     "pugixml": r"src/assets/collada\.cpp",
 }

@@ -50,6 +50,8 @@ struct AssetMaterial {
   double friction = 0.5;       ///< of contacts, >= 0 (Blender's default where a file has none)
   double restitution = 0.0;    ///< of contacts, 0..1
   int image = -1;              ///< index of images; -1: none
+  /// Where its picture can be read: `color` and the picture's mean, mixed as the material says.
+  std::optional<Color> pictured;
 };
 
 /// A game property of an object: MORSE's way to say what a thing is.
@@ -112,7 +114,10 @@ struct AssetObject {
   std::vector<Vec3> vertices;                 ///< m, in the world
   std::vector<std::array<int, 3>> triangles;  ///< indexes of vertices; each has an area
   std::vector<int> material_of;               ///< by triangle an index of materials, -1 for none
-  int faces = 0;                              ///< polygons that the triangles are pieces of
+  /// By triangle the mean colour of what its material's picture shows there, as far as a face of
+  /// one colour can; empty where no material has a picture that is laid on by coordinates.
+  std::vector<Color> color_of;
+  int faces = 0;  ///< polygons that the triangles are pieces of
 
   AssetPhysics physics;
   std::vector<AssetProperty> properties;

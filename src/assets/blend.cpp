@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "assets/blend_file.h"
+#include "assets/picture.h"
 #include "assets/readers.h"
 #include "assets/shape_builder.h"
 #include "assets/triangulate.h"
@@ -190,12 +191,55 @@ struct LocalMesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<int, 3>> triangles;
   std::vector<int> slot_of;  // of materials, by triangle
+  /// Texture coordinates of the corners, by triangle; empty where the mesh has none.
+  std::vector<std::array<Vec2, 3>> uv_of;
+  std::vector<int> face_of;  // counted through, by triangle
   int faces = 0;
 };
 
+// How a material's picture lies on it.
+struct Coating {
+  std::optional<Picture> picture;
+  bool by_coordinates = false;  // else one does not know which part of it is where
+  bool multiplies = false;      // the colour beneath; else takes its place
+  double share = 1.0;           // of the picture in the mixture
+  Vec2 repeats{1.0, 1.0};
+};
+
+Color Coated(const Coating& coating, Color under, Color over) {
+  const auto mix = [&coating](std::uint8_t below, std::uint8_t above) {
+    const double top = coating.multiplies ? below * above / 255.0 : above;
+    return static_cast<std::uint8_t>(std::lround(below + coating.share * (top - below)));
+  };
+  return {mix(under.r, over.r), mix(under.g, over.g), mix(under.b, over.b)};
+}
+
+// The mean of the picture over a triangle, from 16 points.
+Color MeanOf(const Coating& coating, const std::array<Vec2, 3>& uv) {
+  std::array<int, 3> sum{};
+  constexpr int kSplit = 4;
+  int count = 0;
+  for (int i = 0; i < kSplit; ++i) {
+    for (int k = 0; k < 2 * (kSplit - i) - 1; ++k, ++count) {
+      // The middle of a small triangle, every second of which stands on its head.
+      const double third = k % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
+      const double a = (i + third) / kSplit;
+      const double b = (k / 2 + third) / kSplit;
+      const Vec2 at = (1.0 - a - b) * uv[0] + a * uv[1] + b * uv[2];
+      const Color color = coating.picture->At(at.x * coating.repeats.x, at.y * coating.repeats.y);
+      sum[0] += color.r;
+      sum[1] += color.g;
+      sum[2] += color.b;
+    }
+  }
+  return {static_cast<std::uint8_t>(sum[0] / count), static_cast<std::uint8_t>(sum[1] / count),
+          static_cast<std::uint8_t>(sum[2] / count)};
+}
+
 class BlendReader {
  public:
-  BlendReader(const BlendFile& file, const AssetLimits& limits) : file_(file), limits_(limits) {
+  BlendReader(const BlendFile& file, const AssetLimits& limits, const FindFile& find)
+      : file_(file), limits_(limits), find_(find) {
     for (std::size_t i = 0; i < file_.blocks().size(); ++i) {
       const BlendBlock& block = file_.blocks()[i];
       if (block.code != "DATA") id_at_.emplace(block.address, i);
@@ -320,9 +364,49 @@ class BlendReader {
       if (packed) {
         image.packed_size = static_cast<std::size_t>(std::max<std::int64_t>(0, packed.Int("size")));
       }
+      image_ids_.push_back(id);
       image_at_.emplace(file_.blocks()[id].address, static_cast<int>(scene_.images.size()));
       scene_.images.push_back(std::move(image));
     });
+  }
+
+  // The picture of an image, from within the file or from beside it.
+  std::optional<Picture> PictureOf(int index) {
+    const auto [known, is_new] = pictures_.try_emplace(index);
+    if (!is_new) return known->second;
+    const std::size_t id = image_ids_[static_cast<std::size_t>(index)];
+    const BlendRecord record = file_.At(file_.blocks()[id], file_.StructOf(file_.blocks()[id]));
+    const BlendRecord packed = DataAt(id, record.Pointer("packedfile"), "PackedFile");
+    if (packed) {
+      const BlendBlock* const data = DataAt(id, packed.Pointer("data"));
+      const std::int64_t size = packed.Int("size");
+      if (data != nullptr && size > 0 && static_cast<std::uint64_t>(size) <= data->size) {
+        known->second =
+            ReadPicture(file_.bytes().subspan(data->offset, static_cast<std::size_t>(size)));
+      }
+    } else if (find_) {
+      std::string path = record.Text("name");
+      if (path.starts_with("//")) path.erase(0, 2);
+      try {
+        if (!path.empty()) known->second = ReadPicture(find_(path));
+      } catch (const Error&) {
+        // It stayed on the machine of who made the file: the material's own colour it is.
+      }
+    }
+    return known->second;
+  }
+
+  Coating CoatingOf(const BlendRecord& slot, int image) {
+    constexpr std::int64_t kByCoordinates = 16;  // of MTex.texco
+    constexpr std::int64_t kMultiply = 1;        // of MTex.blendtype
+    Coating coating;
+    coating.picture = PictureOf(image);
+    coating.by_coordinates = slot.Int("texco", kByCoordinates) == kByCoordinates;
+    coating.multiplies = slot.Int("blendtype") == kMultiply;
+    coating.share = std::clamp(FiniteOr(slot.Number("colfac", 1.0), 1.0), 0.0, 1.0);
+    coating.repeats = {FiniteOr(slot.Number("size", 1.0, 0), 1.0),
+                       FiniteOr(slot.Number("size", 1.0, 1), 1.0)};
+    return coating;
   }
 
   void ReadMaterials() {
@@ -342,7 +426,12 @@ class BlendReader {
         const auto [texture_id, texture] = IdAt(slot.Pointer("tex"), "Tex");
         if (!texture || texture.Int("type") != kImageTexture) continue;
         const auto image = image_at_.find(texture.Pointer("ima"));
-        if (image != image_at_.end()) material.image = image->second;
+        if (image == image_at_.end()) continue;
+        material.image = image->second;
+        Coating coating = CoatingOf(slot, material.image);
+        if (!coating.picture) continue;
+        material.pictured = Coated(coating, material.color, coating.picture->mean);
+        coatings_.emplace(static_cast<int>(scene_.materials.size()), std::move(coating));
       }
       material_at_.emplace(file_.blocks()[id].address, static_cast<int>(scene_.materials.size()));
       scene_.materials.push_back(std::move(material));
@@ -606,7 +695,9 @@ class BlendReader {
   }
 
   // Cuts a face up.
-  void AddFace(const std::vector<int>& face, int slot, LocalMesh& mesh) const {
+  // `uv`: texture coordinates of its corners, as many or none.
+  void AddFace(const std::vector<int>& face, int slot, const std::vector<Vec2>& uv,
+               LocalMesh& mesh) const {
     std::vector<Vec3> corners;
     for (const int i : face) corners.push_back(mesh.vertices[static_cast<std::size_t>(i)]);
     for (const auto& [a, b, c] : Triangulate(corners)) {
@@ -614,6 +705,10 @@ class BlendReader {
                                 face[static_cast<std::size_t>(b)],
                                 face[static_cast<std::size_t>(c)]});
       mesh.slot_of.push_back(slot);
+      mesh.face_of.push_back(mesh.faces);
+      if (uv.size() != face.size()) continue;
+      mesh.uv_of.push_back({uv[static_cast<std::size_t>(a)], uv[static_cast<std::size_t>(b)],
+                            uv[static_cast<std::size_t>(c)]});
     }
     ++mesh.faces;
     CheckTriangles(mesh.triangles.size());
@@ -628,6 +723,12 @@ class BlendReader {
     const std::size_t count_at = MemberOf(polygons, "totloop", 4);
     const std::size_t slot_at = MemberOf(polygons, "mat_nr", 2);
     const std::size_t vertex_at = loops.count > 0 ? MemberOf(loops, "v", 4) : 0;
+    const bool has_uv = loops.count > 0 && record.Has("mloopuv") && !coatings_.empty() &&
+                        DataAt(id, record.Pointer("mloopuv")) != nullptr;
+    const Elements coordinates =
+        has_uv ? ElementsOf(id, record, "totloop", "mloopuv", "MLoopUV") : Elements{};
+    const std::size_t uv_at = coordinates.count > 0 ? MemberOf(coordinates, "uv", 4) : 0;
+    std::vector<Vec2> uv;
     // Corners of polygons do not overlap, or a small file could have a great many.
     std::size_t used = 0;
     std::vector<int> face;
@@ -643,12 +744,17 @@ class BlendReader {
                                    first + count, loops.count));
       }
       face.clear();
+      uv.clear();
       for (std::int64_t k = first; k < first + count; ++k) {
         const std::size_t corner =
             loops.offset + static_cast<std::size_t>(k) * loops.type->size + vertex_at;
         face.push_back(Vertex(file_.Signed(corner, 4), corner, mesh));
+        if (coordinates.count == 0) continue;
+        const std::size_t place =
+            coordinates.offset + static_cast<std::size_t>(k) * coordinates.type->size + uv_at;
+        uv.push_back({file_.Float(place), file_.Float(place + 4)});
       }
-      AddFace(face, static_cast<int>(file_.Signed(at + slot_at, 2)), mesh);
+      AddFace(face, static_cast<int>(file_.Signed(at + slot_at, 2)), uv, mesh);
     }
   }
 
@@ -661,20 +767,30 @@ class BlendReader {
         MemberOf(faces, "v4", 4)};
     // A short before 2.63's versions of the struct, too.
     const auto slot = faces.type->fields.find("mat_nr");
+    const bool has_uv = record.Has("mtface") && !coatings_.empty() &&
+                        DataAt(id, record.Pointer("mtface")) != nullptr;
+    const Elements coordinates =
+        has_uv ? ElementsOf(id, record, "totface", "mtface", "MTFace") : Elements{};
+    const std::size_t uv_at = coordinates.count > 0 ? MemberOf(coordinates, "uv", 4) : 0;
+    std::vector<Vec2> uv;
     std::vector<int> face;
     for (std::size_t i = 0; i < faces.count; ++i) {
       const std::size_t at = faces.offset + i * faces.type->size;
       face.clear();
+      uv.clear();
       for (std::size_t k = 0; k < 4; ++k) {
         const std::int64_t vertex = file_.Signed(at + corner_at[k], 4);
         if (k == 3 && vertex == 0) break;  // a triangle
         face.push_back(Vertex(vertex, at + corner_at[k], mesh));
+        if (coordinates.count == 0) continue;
+        const std::size_t place = coordinates.offset + i * coordinates.type->size + uv_at + 8 * k;
+        uv.push_back({file_.Float(place), file_.Float(place + 4)});
       }
       const bool has_slot = slot != faces.type->fields.end() && slot->second.size <= 4;
       AddFace(face,
               has_slot ? static_cast<int>(file_.Signed(at + slot->second.offset, slot->second.size))
                        : 0,
-              mesh);
+              uv, mesh);
     }
   }
 
@@ -711,6 +827,52 @@ class BlendReader {
       object.material_of.push_back(wanted >= 0 && static_cast<std::size_t>(wanted) < slots.size()
                                        ? slots[static_cast<std::size_t>(wanted)]
                                        : -1);
+    }
+    if (mesh.uv_of.size() == mesh.triangles.size()) AddColors(mesh, object);
+  }
+
+  // What pictures show of each triangle that they are laid on.
+  void AddColors(const LocalMesh& mesh, AssetObject& object) const {
+    const auto coating_of = [this](int material) {
+      const auto found = coatings_.find(material);
+      return found != coatings_.end() && found->second.by_coordinates ? &found->second : nullptr;
+    };
+    const bool any = std::any_of(object.material_of.begin(), object.material_of.end(),
+                                 [&](int material) { return coating_of(material) != nullptr; });
+    if (!any) return;
+    // The triangles of a face have one colour, or one would see how it was cut up.
+    std::unordered_map<int, std::array<double, 4>> sum_of;
+    const auto triangle_of = [this](std::size_t i) { return static_cast<std::size_t>(kept_[i]); };
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      const Coating* const coating = coating_of(object.material_of[i]);
+      if (coating == nullptr) continue;
+      const auto& [a, b, c] = object.triangles[i];
+      const Vec3& first = object.vertices[static_cast<std::size_t>(a)];
+      const Vec3 normal = Cross(object.vertices[static_cast<std::size_t>(b)] - first,
+                                object.vertices[static_cast<std::size_t>(c)] - first);
+      const double area = std::sqrt(Dot(normal, normal));
+      const Color mean = MeanOf(*coating, mesh.uv_of[triangle_of(i)]);
+      std::array<double, 4>& sum = sum_of[mesh.face_of[triangle_of(i)]];
+      sum[0] += area * mean.r;
+      sum[1] += area * mean.g;
+      sum[2] += area * mean.b;
+      sum[3] += area;
+    }
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      const int index = object.material_of[i];
+      Color color{204, 204, 204};
+      if (index >= 0) {
+        const AssetMaterial& material = scene_.materials[static_cast<std::size_t>(index)];
+        color = material.pictured.value_or(material.color);
+        if (const Coating* const coating = coating_of(index)) {
+          const std::array<double, 4>& sum = sum_of[mesh.face_of[triangle_of(i)]];
+          const auto share = [&sum](std::size_t k) {
+            return static_cast<std::uint8_t>(std::lround(sum[k] / sum[3]));
+          };
+          color = Coated(*coating, material.color, {share(0), share(1), share(2)});
+        }
+      }
+      object.color_of.push_back(color);
     }
   }
 
@@ -838,6 +1000,8 @@ class BlendReader {
     Take(original.vertices, original.triangles, to_world, copy);
     for (const int kept : kept_) {
       copy.material_of.push_back(original.material_of[static_cast<std::size_t>(kept)]);
+      if (original.color_of.empty()) continue;
+      copy.color_of.push_back(original.color_of[static_cast<std::size_t>(kept)]);
     }
   }
 
@@ -860,10 +1024,14 @@ class BlendReader {
 
   const BlendFile& file_;
   const AssetLimits& limits_;
+  const FindFile& find_;
   AssetScene scene_;
   std::unordered_map<std::uint64_t, std::size_t> id_at_;  // address -> block
   std::unordered_map<std::size_t, DataMap> data_of_;
   std::unordered_map<std::uint64_t, int> image_at_;  // address -> index
+  std::vector<std::size_t> image_ids_;               // blocks, by image
+  std::unordered_map<int, std::optional<Picture>> pictures_;
+  std::unordered_map<int, Coating> coatings_;  // by material
   std::unordered_map<std::uint64_t, int> material_at_;
   std::unordered_map<std::uint64_t, int> object_at_;
   std::vector<std::size_t> ids_;  // blocks, by object
@@ -876,10 +1044,11 @@ class BlendReader {
 
 }  // namespace
 
-AssetScene ReadBlend(Bytes bytes, const std::string& name, const AssetLimits& limits) {
+AssetScene ReadBlend(Bytes bytes, const std::string& name, const AssetLimits& limits,
+                     const FindFile& find) {
   if (IsGzip(bytes)) bytes = Gunzip(bytes, name, limits.bytes);
   const BlendFile file(std::move(bytes), name);
-  return BlendReader(file, limits).Read();
+  return BlendReader(file, limits, find).Read();
 }
 
 }  // namespace ccmorse::assets

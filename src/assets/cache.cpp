@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Counts up whenever a reader reads something else than before, or the form below changes.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kMagic = 0x41434343;  // "CCCA" on a little-endian machine
 
 // The form is the machine's own: a cache is not for carrying about. Reading and writing go through
@@ -125,6 +125,7 @@ void Visit(Archive& archive, AssetMaterial& material) {
   Visit(archive, material.friction);
   Visit(archive, material.restitution);
   Visit(archive, material.image);
+  Visit(archive, material.pictured);
 }
 
 template <typename Archive>
@@ -181,6 +182,7 @@ void Visit(Archive& archive, AssetObject& object) {
   Visit(archive, object.vertices);
   Visit(archive, object.triangles);
   Visit(archive, object.material_of);
+  Visit(archive, object.color_of);
   Visit(archive, object.faces);
   Visit(archive, object.physics);
   Visit(archive, object.properties);

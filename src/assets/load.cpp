@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "assets/cache.h"
+#include "assets/picture.h"
 #include "assets/readers.h"
 #include "base/error.h"
 
@@ -46,7 +47,7 @@ Bytes ReadBytes(const std::string& path, std::size_t limit) {
 AssetScene Read(const std::string& path, const FindFile& find, const AssetLimits& limits) {
   const std::string ending = EndingOf(path);
   Bytes bytes = ReadBytes(path, limits.bytes);
-  if (ending == ".blend") return ReadBlend(std::move(bytes), path, limits);
+  if (ending == ".blend") return ReadBlend(std::move(bytes), path, limits, find);
   if (ending == ".gltf" || ending == ".glb") return ReadGltf(bytes, path, find, limits);
   if (ending == ".stl") return ReadStl(bytes, path, limits);
   if (ending == ".dae") return ReadCollada(bytes, path, limits);
@@ -54,6 +55,22 @@ AssetScene Read(const std::string& path, const FindFile& find, const AssetLimits
     return ReadObj({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path, find, limits);
   }
   throw Error(fmt::format("{}: is none of .blend, .gltf, .glb, .obj, .stl and .dae", path));
+}
+
+// What pictures beside the file make of its materials' colours.
+void MixPictures(const FindFile& find, AssetScene& scene) {
+  for (AssetMaterial& material : scene.materials) {
+    if (material.image < 0) continue;
+    const std::string& name = scene.images[static_cast<std::size_t>(material.image)].path;
+    if (name.empty()) continue;
+    try {
+      if (const std::optional<Picture> picture = ReadPicture(find(name))) {
+        material.pictured = picture->mean;
+      }
+    } catch (const Error&) {
+      scene.notes.push_back(fmt::format("the picture '{}' is not there", name));
+    }
+  }
 }
 
 }  // namespace
@@ -116,6 +133,7 @@ AssetScene LoadAsset(const std::string& path, const AssetLimits& limits, LoadRep
     return ReadBytes(file, limits.bytes);
   };
   AssetScene scene = Read(path, find, limits);
+  if (EndingOf(path) != ".blend") MixPictures(find, scene);
   for (std::string& text : scene.notes) text = OneLine(std::move(text));
   // A file that was looked for in vain is not noted: such a scene is not kept.
   const bool whole = std::none_of(scene.notes.begin(), scene.notes.end(), [](const auto& text) {

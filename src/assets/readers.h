@@ -23,7 +23,9 @@ using FindFile = std::function<Bytes(const std::string& path)>;
 
 /// Blender 2.60 to 2.79; others are tried, with a note. Packed by gzip or not. Modifiers,
 /// armatures' deformation, curves and what is linked from other files are left out, with notes.
-AssetScene ReadBlend(Bytes bytes, const std::string& name, const AssetLimits& limits);
+/// `find` gives the pictures that lie beside it; without, only those within it count.
+AssetScene ReadBlend(Bytes bytes, const std::string& name, const AssetLimits& limits,
+                     const FindFile& find = {});
 
 /// glTF 2.0 as .gltf or .glb (Khronos, "glTF 2.0 specification"): triangles, strips and fans of the
 /// file's scene; metres with y up there, z up here. No skins, morphs and compression extensions.

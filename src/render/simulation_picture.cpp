@@ -48,27 +48,64 @@ void AddWheels(const sim::Robot& robot, const Parts& parts, PictureScene& scene)
   }
 }
 
+// `place` is where a point of the mesh's frame lies in the world.
+template <typename Place>
+void AddTriangles(const scene::Mesh& mesh, const Place& place, PictureScene& scene) {
+  const int material = scene.AddMaterial({Linear(mesh.color), 0.04, 0.6, false});
+  std::vector<int> of_palette;
+  for (const Color& color : mesh.palette) {
+    of_palette.push_back(scene.AddMaterial({Linear(color), 0.04, 0.6, false}));
+  }
+  const std::vector<Vec3> vertices = scene::PlacedVertices(mesh);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    std::array<Vec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = place(vertices[static_cast<std::size_t>(mesh.triangles[i][k])]);
+    }
+    const int own =
+        mesh.color_of.empty() ? material : of_palette[static_cast<std::size_t>(mesh.color_of[i])];
+    scene.AddTriangle(corners, own);
+  }
+}
+
+// The robot's own shape; false where it has none.
+bool AddShape(const sim::Robot& robot, PictureScene& scene) {
+  if (!robot.def().body || robot.def().body->shape.empty()) return false;
+  const Rotation rotation = robot.rotation();
+  const auto place = [&](const Vec3& v) { return robot.position() + Rotate(rotation, v); };
+  for (const scene::Mesh& mesh : robot.def().body->shape) AddTriangles(mesh, place, scene);
+  return true;
+}
+
 void AddRobot(const sim::Robot& robot, const Parts& parts, const PictureOptions& options,
               PictureScene& scene) {
   const scene::RobotModel& model = robot.model();
   const int body = scene.AddMaterial({Linear(robot.def().color), 0.05, 0.28, false});
-  for (std::size_t i = 0; i < model.hull.size(); ++i) {
+  const double ground = robot.stand().z;
+  const bool shown = AddShape(robot, scene);
+  for (std::size_t i = 0; i < model.hull.size() && !shown; ++i) {
     const scene::HullPart& part = model.hull[i];
     // Where there are several the lowest is the chassis, dark; the upper ones wear the colour.
     const bool chassis = model.hull.size() > 1 && i == 0;
-    scene.AddPrism(robot.pose(), part.outline, std::max(part.bottom, model.ground_clearance),
-                   part.top, kBevel, chassis ? parts.chassis : body);
+    scene.AddPrism(robot.pose(), part.outline,
+                   ground + std::max(part.bottom, model.ground_clearance), ground + part.top,
+                   kBevel, chassis ? parts.chassis : body);
   }
   if (model.wheel_radius > 0.0) AddWheels(robot, parts, scene);
   for (const auto& component : robot.components()) {
     const auto* const laser = dynamic_cast<const sim::LaserScanner*>(component.get());
     if (laser == nullptr) continue;
-    const Vec3 mount = laser->mount() + Vec3{0, 0, model.origin_height};
-    const auto at = [&](double up) { return OnRobot(robot.pose(), mount + Vec3{0, 0, up}); };
+    const auto at = [&](double up) {
+      const Vec3 mount = laser->mount() + Vec3{0, 0, up};
+      if (robot.tilted()) return robot.position() + Rotate(robot.rotation(), mount);
+      return OnRobot(robot.pose(), mount + Vec3{0, 0, ground + model.origin_height});
+    };
     scene.AddCylinder(at(-0.022), at(0.004), 0.026, parts.scanner);
     scene.AddCylinder(at(0.004), at(0.022), 0.023, parts.scanner);
     const sim::BeamFan& fan = laser->fan();
-    if (!options.lasers || !fan.upright() || fan.count() < 2 || laser->ranges().empty()) continue;
+    if (!options.lasers || !fan.upright() || robot.tilted() || fan.count() < 2 ||
+        laser->ranges().empty())
+      continue;
     const Vec3 first = fan.Direction(0);
     const Vec3 second = fan.Direction(1);
     Fan film;
@@ -84,22 +121,9 @@ void AddRobot(const sim::Robot& robot, const Parts& parts, const PictureOptions&
 }
 
 void AddMesh(const scene::Mesh& mesh, PictureScene& scene) {
-  if (!mesh.drawn) return;
-  const int material = scene.AddMaterial({Linear(mesh.color), 0.04, 0.6, false});
-  std::vector<int> of_palette;
-  for (const Color& color : mesh.palette) {
-    of_palette.push_back(scene.AddMaterial({Linear(color), 0.04, 0.6, false}));
-  }
-  const std::vector<Vec3> vertices = scene::PlacedVertices(mesh);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    std::array<Vec3, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = vertices[static_cast<std::size_t>(mesh.triangles[i][k])];
-    }
-    const int own =
-        mesh.color_of.empty() ? material : of_palette[static_cast<std::size_t>(mesh.color_of[i])];
-    scene.AddTriangle(corners, own);
-  }
+  if (mesh.drawn)
+    AddTriangles(
+        mesh, [](const Vec3& v) { return v; }, scene);
 }
 
 void AddLamps(const scene::World& world, PictureScene& scene) {
@@ -217,10 +241,15 @@ Camera FindCamera(const sim::Simulation& simulation, const std::string& name, do
     const sim::Robot& robot = RobotOf(simulation, whose);
     const Pose2& pose = robot.pose();
     if (kind == "follow") {
-      return Camera::LookAt(OnRobot(pose, {-0.9, 0.0, 0.65}), OnRobot(pose, {0.15, 0.0, 0.05}));
+      // As far behind as the robot is large: 0.9 m for one of SyRoTek's.
+      const double far = std::max(1.0, 2.8 * std::max(robot.model().length, robot.model().height));
+      const Vec3 up{0.0, 0.0, robot.stand().z};
+      return Camera::LookAt(OnRobot(pose, far * Vec3{-0.9, 0.0, 0.65}) + up,
+                            OnRobot(pose, far * Vec3{0.15, 0.0, 0.05}) + up);
     }
-    const double eye = robot.model().height + 0.03;
-    return Camera::LookAt(OnRobot(pose, {0.0, 0.0, eye}), OnRobot(pose, {1.0, 0.0, 0.7 * eye}));
+    const double eye = robot.stand().z + robot.model().height + 0.03;
+    const double there = robot.stand().z + 0.7 * (robot.model().height + 0.03);
+    return Camera::LookAt(OnRobot(pose, {0.0, 0.0, eye}), OnRobot(pose, {1.0, 0.0, there}));
   }
   throw Error("there is no camera '" + name +
               "': scene, top, follow, robot, or follow:NAME and robot:NAME for a robot");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "assets/load.h"
 #include "base/error.h"
@@ -18,16 +19,6 @@ constexpr double kFarthest = 1000.0;  // m, as in world_file.cpp
 constexpr int kLastId = 1'000'000;    // likewise
 constexpr double kMargin = 0.5;       // m of floor around what stands on it
 constexpr double kClear = 0.05;       // what is less opaque is not drawn
-
-// What a name in a scenario may be made of (Field::Identifier).
-std::string Identifier(const std::string& name) {
-  std::string text;
-  for (const char c : name.substr(0, 64)) {
-    const bool fine = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    text.push_back(fine ? c : '_');
-  }
-  return text.empty() ? "mesh" : text;
-}
 
 // Collects triangles with their colours; vertices that no triangle has are left behind.
 class MeshMaker {
@@ -47,7 +38,10 @@ class MeshMaker {
         triangle[k] = at[vertex];
       }
       mesh_.triangles.push_back(triangle);
-      mesh_.color_of.push_back(PaletteIndex(object.material_of[i]));
+      const int index =
+          PaletteIndex(object.material_of[i],
+                       object.color_of.empty() ? std::nullopt : std::optional(object.color_of[i]));
+      mesh_.color_of.push_back(index);
     }
   }
 
@@ -63,14 +57,20 @@ class MeshMaker {
   }
 
  private:
-  int PaletteIndex(int material) {
+  // `shown`: what a picture makes of the material's colour there.
+  int PaletteIndex(int material, std::optional<Color> shown) {
     Color color{204, 204, 204};
     if (material >= 0) {
       const assets::AssetMaterial& of = asset_.materials[static_cast<std::size_t>(material)];
-      color = of.color;
+      color = of.pictured.value_or(of.color);
       opaque_ = opaque_ || of.alpha >= kClear;
     } else {
       opaque_ = true;
+    }
+    if (shown) {
+      // Of pictures there would be a colour for each triangle: 32 shades a channel will do.
+      const auto shade = [](std::uint8_t c) { return static_cast<std::uint8_t>((c & 0xF8U) | 4U); };
+      color = {shade(shown->r), shade(shown->g), shade(shown->b)};
     }
     const int key = (color.r << 16) | (color.g << 8) | color.b;
     const auto [found, is_new] = index_of_.try_emplace(key, static_cast<int>(mesh_.palette.size()));
@@ -113,6 +113,44 @@ double GroundArea(const Mesh& mesh) {
 
 }  // namespace
 
+std::string IdentifierOf(const std::string& name) {
+  std::string text;
+  for (const char c : name.substr(0, 64)) {
+    const bool fine = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    text.push_back(fine ? c : '_');
+  }
+  return text.empty() ? "mesh" : text;
+}
+
+void Paint(Color color, Mesh& mesh) {
+  if (mesh.color_of.empty()) {
+    mesh.color = color;
+    return;
+  }
+  std::vector<double> area(mesh.palette.size(), 0.0);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    const Vec3& first = mesh.vertices[static_cast<std::size_t>(a)];
+    const Vec3 normal = Cross(mesh.vertices[static_cast<std::size_t>(b)] - first,
+                              mesh.vertices[static_cast<std::size_t>(c)] - first);
+    area[static_cast<std::size_t>(mesh.color_of[i])] += std::sqrt(Dot(normal, normal));
+  }
+  const auto largest = std::max_element(area.begin(), area.end());
+  mesh.palette[static_cast<std::size_t>(largest - area.begin())] = color;
+}
+
+Mesh MeshOf(const assets::AssetScene& asset, const assets::AssetObject& object) {
+  MeshMaker maker(asset);
+  maker.Add(object);
+  Mesh mesh = maker.Take();
+  mesh.name = IdentifierOf(object.name);
+  const bool touches = object.physics.Collides() && object.physics.type != "SENSOR";
+  mesh.solid = touches && !object.physics.ghost;
+  mesh.visible = touches;
+  mesh.drawn = mesh.drawn && !object.hidden && !IsSky(object.name);
+  return mesh;
+}
+
 std::vector<Mesh> MeshesOf(const assets::AssetScene& asset, int first_id,
                            std::vector<std::string>* notes) {
   std::vector<Mesh> meshes;
@@ -127,16 +165,9 @@ std::vector<Mesh> MeshesOf(const assets::AssetScene& asset, int first_id,
       }
       continue;
     }
-    MeshMaker maker(asset);
-    maker.Add(object);
-    Mesh mesh = maker.Take();
+    Mesh mesh = MeshOf(asset, object);
     if (first_id > kLastId) throw Error("a world can have ids up to 1000000");
     mesh.id = first_id++;
-    mesh.name = Identifier(object.name);
-    const bool touches = collides && object.physics.type != "SENSOR";
-    mesh.solid = touches && !object.physics.ghost;
-    mesh.visible = touches;
-    mesh.drawn = mesh.drawn && !object.hidden && !IsSky(object.name);
     meshes.push_back(std::move(mesh));
   }
   return meshes;
@@ -153,7 +184,7 @@ Mesh MergedMesh(const assets::AssetScene& asset) {
 World WorldOf(const assets::AssetScene& asset, const std::string& name,
               std::vector<std::string>* notes) {
   World world;
-  world.name = Identifier(name);
+  world.name = IdentifierOf(name);
   world.meshes = MeshesOf(asset, 1, notes);
   if (world.meshes.empty()) throw Error("shows nothing that has a surface");
   assets::Extent extent;
@@ -194,10 +225,31 @@ World WorldOf(const assets::AssetScene& asset, const std::string& name,
   return world;
 }
 
-World LoadAssetWorld(const std::string& path) {
+std::vector<PropDef> PropsOf(const assets::AssetScene& asset, const World& world) {
+  std::vector<PropDef> props;
+  for (const assets::AssetObject& object : asset.objects) {
+    if (!object.shown || object.properties.empty()) continue;
+    PropDef prop;
+    prop.name = object.name;
+    prop.position = object.matrix.position;
+    for (const assets::AssetProperty& property : object.properties) {
+      prop.properties.Set(property.name, property.value);
+    }
+    const std::string name = IdentifierOf(object.name);
+    for (const Mesh& mesh : world.meshes) {
+      if (mesh.name == name) prop.meshes.push_back(mesh.id);
+    }
+    props.push_back(std::move(prop));
+  }
+  return props;
+}
+
+World LoadAssetWorld(const std::string& path, std::vector<PropDef>* props) {
   const assets::AssetScene asset = assets::LoadAsset(path);
   try {
-    return WorldOf(asset, std::filesystem::path(path).stem().string());
+    World world = WorldOf(asset, std::filesystem::path(path).stem().string());
+    if (props != nullptr) *props = PropsOf(asset, world);
+    return world;
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", path, error.what()));
   }

@@ -15,6 +15,16 @@ namespace ccmorse::scene {
 std::vector<Mesh> MeshesOf(const assets::AssetScene& asset, int first_id,
                            std::vector<std::string>* notes = nullptr);
 
+/// A name as scenarios have it: whatever is no letter, digit or '_' becomes '_', 64 at most.
+std::string IdentifierOf(const std::string& name);
+
+/// Gives the colour to that part of a mesh that has the largest surface of one colour: to what one
+/// would call its colour.
+void Paint(Color color, Mesh& mesh);
+
+/// One object's mesh, without an id: what it is to robots, sensors and viewers as in MeshesOf().
+Mesh MeshOf(const assets::AssetScene& asset, const assets::AssetObject& object);
+
 /// All of them as one mesh, each triangle in its own colour; without triangles where there are
 /// none. Things that collide with nothing are in it, too, unless there is nothing else.
 Mesh MergedMesh(const assets::AssetScene& asset);
@@ -24,8 +34,12 @@ Mesh MergedMesh(const assets::AssetScene& asset);
 World WorldOf(const assets::AssetScene& asset, const std::string& name,
               std::vector<std::string>* notes = nullptr);
 
-/// WorldOf(), read from a file. Throws Error.
-World LoadAssetWorld(const std::string& path);
+/// Those of the file's objects that have game properties, which some sensors look for: name, place
+/// and properties, and which of `world`'s meshes they are.
+std::vector<PropDef> PropsOf(const assets::AssetScene& asset, const World& world);
+
+/// WorldOf() and, into `props`, PropsOf(), read from a file. Throws Error.
+World LoadAssetWorld(const std::string& path, std::vector<PropDef>* props = nullptr);
 
 /// A scenario of such a file alone: no robots, and a camera that looks at it all.
 Scenario ScenarioOfAsset(const std::string& path, std::vector<std::string>* notes = nullptr);

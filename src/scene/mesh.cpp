@@ -45,6 +45,10 @@ std::vector<Vec3> Clipped(const std::vector<Vec3>& polygon, double height, doubl
 
 }  // namespace
 
+std::vector<Vec3> ClippedToSlab(const std::vector<Vec3>& polygon, double bottom, double top) {
+  return Clipped(Clipped(polygon, bottom, 1.0), top, -1.0);
+}
+
 std::vector<Vec3> PlacedVertices(const Mesh& mesh) {
   const Rotation rotation = FromEuler(mesh.rotation.x, mesh.rotation.y, mesh.rotation.z);
   std::vector<Vec3> placed;
@@ -65,7 +69,7 @@ std::vector<std::vector<Vec2>> MeshOutlines(const Mesh& mesh) {
                                         vertices[static_cast<std::size_t>(b)],
                                         vertices[static_cast<std::size_t>(c)]};
     std::vector<Vec2> points;
-    for (const Vec3& point : Clipped(Clipped(triangle, slab.bottom, 1.0), slab.top, -1.0)) {
+    for (const Vec3& point : ClippedToSlab(triangle, slab.bottom, slab.top)) {
       points.push_back({point.x, point.y});
     }
     std::vector<Vec2> outline = ConvexHull(std::move(points));

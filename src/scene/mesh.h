@@ -16,6 +16,10 @@ inline Color ColorOf(const Mesh& mesh, std::size_t triangle) {
 /// The mesh's vertices in the world, m.
 std::vector<Vec3> PlacedVertices(const Mesh& mesh);
 
+/// The part of a convex polygon whose z lies within bottom..top, m; fewer than three corners where
+/// there is next to none.
+std::vector<Vec3> ClippedToSlab(const std::vector<Vec3>& polygon, double bottom, double top);
+
 /// What robots run into of a mesh: the part of each triangle between the heights where robots have
 /// their bodies, seen from above. Convex outlines, m, counter-clockwise; of an upright triangle a
 /// line of two corners. Triangles above and below give none.

@@ -15,6 +15,7 @@
 #include "base/nearest_name.h"
 #include "base/polygon.h"
 #include "base/trig.h"
+#include "scene/asset_props.h"
 #include "scene/asset_world.h"
 #include "scene/field.h"
 #include "scene/mesh.h"
@@ -51,7 +52,8 @@ const std::map<std::string, std::vector<std::string>>& DevicesOfInterface() {
 
 const std::string kCustom = "Custom";
 
-World ReadWorldChoice(const Field& field) {
+// `props`: those that come with a file of shapes.
+World ReadWorldChoice(const Field& field, std::vector<PropDef>& props) {
   if (field.value().IsString()) {
     const std::string& name = field.Text();
     const std::vector<std::string> known = ListWorlds();
@@ -72,6 +74,7 @@ World ReadWorldChoice(const Field& field) {
   if (field.value().Find("file") == nullptr) return ReadWorld(field);
   ObjectReader reader(field);
   const Field name = reader.Require("file");
+  const bool terrain = reader.Bool("terrain", false);
   reader.Finish();
   if (std::any_of(name.Text().begin(), name.Text().end(),
                   [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; })) {
@@ -80,14 +83,18 @@ World ReadWorldChoice(const Field& field) {
   const std::filesystem::path folder = std::filesystem::path(field.file()).parent_path();
   if (assets::IsAssetName(name.Text())) {
     try {
-      return LoadAssetWorld(assets::FindAsset(name.Text(), folder.string()));
+      World world = LoadAssetWorld(assets::FindAsset(name.Text(), folder.string()), &props);
+      world.terrain = terrain;
+      return world;
     } catch (const Error& error) {
       name.Fail(error.what());
     }
   }
   const std::filesystem::path path = folder / name.Text();
   try {
-    return LoadWorld(path.string());
+    World world = LoadWorld(path.string());
+    world.terrain = world.terrain || terrain;
+    return world;
   } catch (const Error& error) {
     // A message that starts with the world's own file and line says more than this line would.
     std::error_code ignored;
@@ -369,12 +376,75 @@ std::vector<Vec2> ReadOutline(const Field& field, std::size_t most) {
   return outline;
 }
 
+// A factor for all axes, or one for each.
+Vec3 ReadScale(ObjectReader& reader) {
+  if (!reader.Has("scale")) return {1.0, 1.0, 1.0};
+  const Field scale = reader.Require("scale");
+  if (scale.value().IsNumber()) {
+    const double all = scale.Number({0.0, kFarthest, true});
+    return {all, all, all};
+  }
+  return scale.Vector(kFarthest);
+}
+
+std::string ReadPhysics(ObjectReader& reader) {
+  static const std::vector<std::string> types = {"NO_COLLISION", "STATIC",    "DYNAMIC",
+                                                 "RIGID_BODY",   "SOFT_BODY", "OCCLUDER",
+                                                 "SENSOR",       "NAVMESH",   "CHARACTER"};
+  return reader.Has("physics") ? reader.Choice("physics", "", types) : "";
+}
+
+// A view of a robot need not have more triangles: a fleet of them is shown, too.
+constexpr std::size_t kMostShown = 20000;
+
+// The file that a robot's shape, and where it gives none its body, comes from.
+void ReadModel(const Field& field, bool has_footprint, BodyDef& body) {
+  ObjectReader reader(field);
+  const Field file = reader.Require("file");
+  const Vec3 scale = ReadScale(reader);
+  const std::string physics = ReadPhysics(reader);
+  const std::optional<Color> paint =
+      reader.Has("color") ? std::optional(reader.Require("color").ReadColor()) : std::nullopt;
+  reader.Finish();
+  try {
+    const std::string folder = std::filesystem::path(field.file()).parent_path().string();
+    RobotShape shape =
+        RobotShapeOf(assets::LoadAsset(assets::FindAsset(file.Text(), folder)), physics, scale);
+    for (Mesh& mesh : shape.shape) {
+      Mesh simple = Simplified(std::move(mesh), kMostShown);
+      if (paint) Paint(*paint, simple);
+      body.shape.push_back(std::move(simple));
+    }
+    if (has_footprint) return;
+    body.footprint = shape.footprint;
+    body.hull = shape.hull;
+    body.mass = shape.mass;
+    body.origin_height = std::max(0.0, -shape.lowest);
+    if (shape.collides) return;
+    // Nothing touches it, as nearly as may be, and no sensor sees it.
+    constexpr double kPoint = 0.01;  // m
+    body.footprint = {{kPoint, -kPoint}, {kPoint, kPoint}, {-kPoint, kPoint}, {-kPoint, -kPoint}};
+    body.hull.clear();
+  } catch (const Error& error) {
+    file.Fail(error.what());
+  }
+}
+
 BodyDef ReadBody(const Field& field) {
   static const std::vector<std::string> drives = {"diff", "omni", "car"};
   ObjectReader reader(field);
   BodyDef body;
-  body.footprint = ReadOutline(reader.Require("footprint"), kMostCorners);
+  const bool has_footprint = reader.Has("footprint");
+  if (reader.Has("model")) ReadModel(reader.Require("model"), has_footprint, body);
+  if (has_footprint || body.footprint.empty()) {
+    body.footprint = ReadOutline(reader.Require("footprint"), kMostCorners);
+  }
+  if (reader.Has("shape")) {
+    for (Mesh& mesh : ReadShape(reader.Require("shape"))) body.shape.push_back(std::move(mesh));
+  }
+  body.flies = reader.Bool("flies", body.flies);
   if (reader.Has("hull")) {
+    body.hull.clear();
     for (const Field& item : reader.Require("hull").Items()) {
       ObjectReader part_reader(item);
       HullPart part;
@@ -600,16 +670,70 @@ void ReadComponents(ObjectReader& reader, RobotDef& robot) {
   robot.components = std::move(components);
 }
 
-PropDef ReadProp(const Field& field) {
+// One more than that of any box or mesh.
+int NextId(const World& world) {
+  int next = 1;
+  for (const Box& box : world.boxes) next = std::max(next, box.id + 1);
+  for (const Mesh& mesh : world.meshes) next = std::max(next, mesh.id + 1);
+  return next;
+}
+
+// Its shapes come from its file, unless it names the world's meshes that are it.
+PropDef ReadProp(const Field& field, World& world) {
   ObjectReader reader(field);
   PropDef prop;
   prop.name = reader.Require("name").Text();
-  prop.file = reader.Require("file").Text();
+  const Field file = reader.Require("file");
+  prop.file = file.Text();
   if (reader.Has("object")) prop.object = reader.Require("object").Text();
   prop.position = reader.Vector("position", prop.position, kFarthest);
   prop.rotation = reader.Vector("rotation", prop.rotation, 20.0 * kPi);
   if (reader.Has("properties")) prop.properties = ReadProperties(reader.Require("properties"));
+  PropPlace place;
+  place.keep_pose = reader.Bool("keep_pose", false);
+  place.scale = ReadScale(reader);
+  place.physics = ReadPhysics(reader);
+  std::vector<Mesh> own;
+  if (reader.Has("shape")) own = ReadShape(reader.Require("shape"));
+  const bool named = reader.Has("meshes");
+  if (named) {
+    for (const Field& item : reader.Require("meshes").Items()) {
+      const auto id = static_cast<int>(item.Integer(1, 1000000));
+      const bool known = std::any_of(world.meshes.begin(), world.meshes.end(),
+                                     [id](const Mesh& mesh) { return mesh.id == id; });
+      if (!known) item.FailHere(fmt::format("is {}, which no mesh of the world has as its id", id));
+      prop.meshes.push_back(id);
+    }
+  }
   reader.Finish();
+  if (!own.empty()) {
+    int id = NextId(world);
+    for (Mesh& mesh : PlacedShape(std::move(own), place, prop)) {
+      mesh.id = id++;
+      mesh.name = IdentifierOf(prop.name);
+      prop.meshes.push_back(mesh.id);
+      world.meshes.push_back(std::move(mesh));
+    }
+    return prop;
+  }
+  if (named || !assets::IsAssetName(prop.file)) return prop;
+  try {
+    const std::string folder = std::filesystem::path(field.file()).parent_path().string();
+    const std::string path = assets::FindAsset(prop.file, folder);
+    const assets::AssetScene asset = assets::LoadAsset(path);
+    std::vector<Mesh> meshes;
+    try {
+      meshes = MeshesOfProp(asset, place, NextId(world), prop);
+    } catch (const Error& error) {
+      throw Error(fmt::format("{}: {}", path, error.what()));
+    }
+    for (Mesh& mesh : meshes) {
+      mesh.name = IdentifierOf(prop.name);  // sensors tell things, not their parts
+      world.meshes.push_back(std::move(mesh));
+    }
+  } catch (const Error& error) {
+    file.Fail(error.what());
+  }
   return prop;
 }
 
@@ -658,6 +782,7 @@ RobotDef ReadRobot(const Field& field, std::size_t number) {
   robot.proxies = model.proxies;
   robot.laser = model.laser;
   robot.pose = reader.Has("pose") ? ReadPose(reader.Require("pose")) : kDefaultPose;
+  robot.z = reader.Number("z", robot.z, {-kFarthest, kFarthest});
   robot.color = reader.ReadColor("color", robot.color);
   static const std::vector<std::string> fronts = {"laser", "sensors"};
   const bool own = reader.Has("components");
@@ -698,8 +823,11 @@ struct MeshPart {
   Vec2 high;
 };
 
+// None of a terrain, where it depends on the robot what is in its way, and what overlaps it at the
+// start lets it go.
 std::vector<MeshPart> PartsOfMeshes(const World& world) {
   std::vector<MeshPart> parts;
+  if (world.terrain) return parts;
   for (const Mesh& mesh : world.meshes) {
     for (std::vector<Vec2>& outline : MeshOutlines(mesh)) {
       Vec2 low = outline[0];
@@ -724,6 +852,7 @@ std::string ProblemOfPlace(const Scenario& scenario, const std::vector<MeshPart>
   const std::vector<Vec2> outline = Outline(robot);
   const World& world = scenario.world;
   for (const Vec2 corner : outline) {
+    if (world.terrain) break;  // the meshes are the ground, wherever they are
     const Vec2 high = world.high();
     if (corner.x < world.low.x || corner.y < world.low.y || corner.x > high.x ||
         corner.y > high.y) {
@@ -885,15 +1014,15 @@ Scenario ReadScenario(const Json& json, const std::string& file) {
   scenario.name = std::filesystem::path(file).stem().string();
   ObjectReader reader(Field(json, "", file));
   if (reader.Has("world")) {
-    scenario.world = ReadWorldChoice(reader.Require("world"));
+    scenario.world = ReadWorldChoice(reader.Require("world"), scenario.props);
   } else {
     const Json world = Json::Parse(kDefaultWorld);
-    scenario.world = ReadWorldChoice(Field(world, "world", file));
+    scenario.world = ReadWorldChoice(Field(world, "world", file), scenario.props);
   }
   if (reader.Has("environment")) scenario.environment = reader.Require("environment").Text();
   if (reader.Has("props")) {
     for (const Field& prop : reader.Require("props").Items()) {
-      scenario.props.push_back(ReadProp(prop));
+      scenario.props.push_back(ReadProp(prop, scenario.world));
     }
   }
   if (reader.Has("zones")) {
@@ -970,15 +1099,18 @@ Json BodyToJson(const BodyDef& body) {
     hull.emplace_back(Json::Object{
         {"outline", OutlineToJson(part.outline)}, {"bottom", part.bottom}, {"top", part.top}});
   }
-  return Json::Object{{"footprint", OutlineToJson(body.footprint)},
-                      {"hull", std::move(hull)},
-                      {"mass", body.mass},
-                      {"drive", body.drive},
-                      {"wheelbase", body.wheelbase},
-                      {"max_speed", body.max_speed},
-                      {"max_side_speed", body.max_side_speed},
-                      {"max_turn_rate", body.max_turn_rate},
-                      {"origin_height", body.origin_height}};
+  Json::Object object = {{"footprint", OutlineToJson(body.footprint)},
+                         {"hull", std::move(hull)},
+                         {"mass", body.mass},
+                         {"drive", body.drive},
+                         {"wheelbase", body.wheelbase},
+                         {"max_speed", body.max_speed},
+                         {"max_side_speed", body.max_side_speed},
+                         {"max_turn_rate", body.max_turn_rate},
+                         {"origin_height", body.origin_height}};
+  if (body.flies) object.emplace_back("flies", true);
+  if (!body.shape.empty()) object.emplace_back("shape", ShapeToJson(body.shape));
+  return object;
 }
 
 Json OwnToJson(const OwnDef& own) {
@@ -1036,6 +1168,9 @@ Json PropToJson(const PropDef& prop) {
                          {"object", prop.object},
                          {"position", VectorToJson(prop.position)},
                          {"rotation", VectorToJson(prop.rotation)}};
+  if (!prop.meshes.empty()) {
+    object.emplace_back("meshes", Json::Array(prop.meshes.begin(), prop.meshes.end()));
+  }
   AddProperties(object, prop.properties);
   return object;
 }
@@ -1089,6 +1224,7 @@ Json RobotToJson(const RobotDef& robot) {
     object.emplace_back("front", robot.front);
   }
   if (robot.body) object.emplace_back("body", BodyToJson(*robot.body));
+  if (robot.z != 0.0) object.emplace_back("z", robot.z);
   AddProperties(object, robot.properties);
   if (robot.services) object.emplace_back("services", true);
   const OdometryDef& odometry = robot.odometry;

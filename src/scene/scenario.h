@@ -69,6 +69,8 @@ struct World {
   /// the middle of most of its worlds, here it is `origin` (specs: player.md C.3).
   Vec2 origin;
   Color floor{255, 255, 255};
+  /// Robots that stand on the ground follow the height of the meshes beneath them (sim/ground.h).
+  bool terrain = false;
 
   Vec2 high() const { return {low.x + size_x, low.y + size_y}; }  ///< m, of the other corner
   Vec2 middle() const { return {low.x + size_x / 2.0, low.y + size_y / 2.0}; }  ///< m, of the floor
@@ -146,6 +148,10 @@ struct BodyDef {
   double max_side_speed = 0.0;  ///< m/s, >= 0; more than 0 only for "omni"
   double max_turn_rate = 1.5;   ///< rad/s, > 0; commands are clamped to it
   double origin_height = 0.0;   ///< m above the floor, >= 0: where the robot's frame lies
+  /// What viewers show in place of the hull, in the robot's own frame; empty: the hull. Nothing
+  /// touches it and no sensor sees it: that is what the hull is for.
+  std::vector<Mesh> shape;
+  bool flies = false;  ///< stays at its height where others follow the ground (World::terrain)
 };
 
 /// What a robot's odometry reports (specs: player.md C.3, localization "odom").
@@ -212,14 +218,16 @@ const std::vector<std::string>& ComponentTypes();
 /// MORSE's levels of realism of a type, the one as delivered first; empty where there is one only.
 std::vector<std::string> LevelsOf(const std::string& type);
 
-/// Something from a model file that stands in the world: MORSE's passive object. Only kept with the
-/// scenario so far.
+/// Something from a model file that stands in the world: MORSE's passive object. Its shapes are
+/// among the world's meshes.
 struct PropDef {
   std::string name;
-  std::string file;    ///< of the model, a path
-  std::string object;  ///< of the file's objects only those whose names start so; "": all
-  Vec3 position;       ///< m
-  Vec3 rotation;       ///< roll, pitch, yaw, rad
+  /// Of the model: a path of a file of shapes, or what MORSE calls it, which is only kept.
+  std::string file;
+  std::string object;       ///< of the file's objects only those whose names start so; "": all
+  Vec3 position;            ///< m
+  Vec3 rotation;            ///< roll, pitch, yaw, rad
+  std::vector<int> meshes;  ///< ids of the world's meshes that it is made of
   /// MORSE's properties of it, by name, an object: some sensors look for them.
   Json properties = Json(Json::Object{});
 };
@@ -252,6 +260,9 @@ struct RobotDef {
   std::string name = "s1r";
   std::string type = "S1R";  ///< a type of robots.h
   Pose2 pose;                ///< start, m and rad; (1.20, 2.00, 150 deg) in a file without
+  /// m: where it stands at the start when the ground has several storeys there (World::terrain), or
+  /// how high it flies.
+  double z = 0.0;
   Color color{60, 110, 190};
   ProxyTable proxies;                   ///< defaults of the type where not given
   std::map<std::string, Json> drivers;  ///< driver name ("snd") -> object of its settings, as given

@@ -190,10 +190,12 @@ void ReadMeshFile(ObjectReader& reader, Mesh& mesh) {
   }
 }
 
-Mesh ReadMesh(const Field& field) {
+Mesh ReadMesh(const Field& field, bool needs_id = true) {
   ObjectReader reader(field);
   Mesh mesh;
-  mesh.id = static_cast<int>(reader.Require("id").Integer(1, 1000000));
+  if (needs_id || reader.Has("id")) {
+    mesh.id = static_cast<int>(reader.Require("id").Integer(1, 1000000));
+  }
   if (reader.Has("name")) mesh.name = reader.Require("name").Identifier();
   if (reader.Has("file")) {
     ReadMeshFile(reader, mesh);
@@ -290,6 +292,23 @@ Light ReadLight(const Field& field) {
 
 }  // namespace
 
+std::vector<Mesh> ReadShape(const Field& field) {
+  std::vector<Mesh> shape;
+  for (const Field& item : field.Items()) {
+    Mesh mesh = ReadMesh(item, false);
+    mesh.id = static_cast<int>(shape.size()) + 1;
+    mesh.solid = mesh.visible = false;
+    shape.push_back(std::move(mesh));
+  }
+  return shape;
+}
+
+Json ShapeToJson(const std::vector<Mesh>& shape) {
+  Json::Array list;
+  for (const Mesh& mesh : shape) list.push_back(MeshToJson(mesh));
+  return list;
+}
+
 World ReadWorld(const Field& field) {
   ObjectReader reader(field);
   World world;
@@ -306,6 +325,7 @@ World ReadWorld(const Field& field) {
   } else {
     world.floor = reader.ReadColor("floor", world.floor);
   }
+  world.terrain = reader.Bool("terrain", false);
   std::map<std::string, Look> kinds;
   if (reader.Has("kinds")) kinds = ReadKinds(reader.Require("kinds"));
   if (reader.Has("boxes")) world.boxes = ReadBoxes(reader.Require("boxes"), kinds);
@@ -369,6 +389,7 @@ Json WorldToJson(const World& world) {
                          {"meshes", std::move(meshes)},
                          {"docks", std::move(docks)},
                          {"lights", std::move(lights)}};
+  if (world.terrain) object.emplace_back("terrain", true);
   if (world.low.x != 0.0 || world.low.y != 0.0) {
     object.emplace_back("low", Json::Array{world.low.x, world.low.y});
   }

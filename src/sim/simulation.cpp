@@ -30,6 +30,7 @@ Simulation::Simulation(scene::Scenario scenario, int threads, bool share_all)
   std::sort(defs.begin(), defs.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   for (const scene::RobotDef& def : defs) {
     robots_.push_back(std::make_unique<Robot>(def, static_cast<int>(robots_.size())));
+    robots_.back()->set_ground(world_.ground());
   }
   motion_.emplace(world_, robots_, share_all ? 1 : kSharedMotion);
   arena_.emplace(world_, robots_, scenario_.obstacles);

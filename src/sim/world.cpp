@@ -11,8 +11,9 @@
 
 namespace ccmorse::sim {
 
-World::World(scene::World scene) : scene_(std::move(scene)) {
+World::World(scene::World scene) : scene_(std::move(scene)), ground_(scene_) {
   for (const scene::Mesh& mesh : scene_.meshes) {
+    if (scene_.terrain) break;  // it depends on the robot what of them is in its way
     for (std::vector<Vec2>& outline : scene::MeshOutlines(mesh)) {
       mesh_obstacles_.push_back(Obstacle::Make(std::move(outline), mesh.id));
     }

@@ -8,6 +8,7 @@
 
 #include "base/pose.h"
 #include "scene/scenario.h"
+#include "sim/ground.h"
 #include "sim/physics/kinematics.h"
 #include "sim/rays/planar_scan.h"
 #include "sim/spatial_grid.h"
@@ -45,6 +46,10 @@ class World {
     obstacle_grid_.ForNear(point, reach,
                            [&](std::uint32_t index) { found.push_back(&obstacles_[index]); });
   }
+
+  /// The meshes to stand on and to run into, where the world has terrain; else empty, and meshes are
+  /// among the obstacles().
+  const Ground& ground() const { return ground_; }
 
   /// Changes whenever a box rises or goes down, or other robots are set.
   std::uint64_t revision() const { return revision_; }
@@ -101,6 +106,7 @@ class World {
   void BoxesChanged();
 
   scene::World scene_;
+  Ground ground_;
   std::vector<Obstacle> obstacles_;
   SpatialGrid obstacle_grid_;  // of obstacles_
   std::vector<Obstacle> mesh_obstacles_;

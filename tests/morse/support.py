@@ -16,6 +16,7 @@ def environment(**more):
     result = {name: value for name, value in os.environ.items() if not name.startswith("MORSE_")}
     result["PYTHONPATH"] = PYTHON
     result["PYTHONDONTWRITEBYTECODE"] = "1"
+    result.setdefault("CCMORSE_MORSE_DATA", "off")
     result.update(more)
     return result
 

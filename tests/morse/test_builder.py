@@ -477,7 +477,8 @@ class ResourcePath(unittest.TestCase):
                       os.path.join(self.folder, "elsewhere"))
         self.assertEqual(built.status, 0, built.output)
         self.assertEqual(built.robots(), ["rover"])
-        self.assertTrue(any("rover.blend is not read yet" in text for _, text in built.notes()))
+        self.assertEqual(built.robot("rover")["body"]["model"]["file"],
+                         os.path.join(robots, "rover.blend"))
 
     def test_a_model_that_is_nowhere(self):
         built = Built(self.script)
@@ -500,19 +501,19 @@ class EnvironmentFiles(unittest.TestCase):
         with open(script, "w", encoding="utf-8") as file:
             file.write("from morse.builder import *\nrobot = ATRV()\nenv = Environment(%r)\n" %
                        environment.replace("FOLDER", folder))
-        return hall, Built(script)
+        return hall, Built(script, CCMORSE_MORSE_DATA="")
 
     def test_c4_a_file_of_ones_own(self):
         hall, built = self.built("FOLDER/hall.blend")
         self.assertEqual(built.status, 0, built.output)
-        self.assertEqual(built.scene["world"], {"file": hall})
+        self.assertEqual(built.scene["world"], {"file": hall, "terrain": True})
 
     def test_c4_morses_own_where_they_are_installed(self):
         installed = "/usr/share/morse/data/environments/indoors-1/indoor-1.blend"
         _, built = self.built("indoors-1/indoor-1")
         self.assertEqual(built.status, 0, built.output)
         if os.path.exists(installed):
-            self.assertEqual(built.scene["world"], {"file": installed})
+            self.assertEqual(built.scene["world"], {"file": installed, "terrain": True})
         else:
             self.assertTrue(any("is not installed" in text for _, text in built.notes()))
 

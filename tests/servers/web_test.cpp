@@ -139,9 +139,9 @@ TEST(WebServer, TellsTheSceneThenFramesThatGoOn) {
   EXPECT_EQ(scene.Find("lasers")->AsArray()[0].Find("samples")->AsInt(), 682);
   const std::string first = client.NextFrame();
   EXPECT_FLOAT_EQ(SingleAt(first, kFirstRobot), 1.2F);       // a
-  EXPECT_FLOAT_EQ(SingleAt(first, kFirstRobot + 24), 0.5F);  // b
-  EXPECT_FLOAT_EQ(SingleAt(first, kFirstRobot + 28), 2.5F);
-  EXPECT_FLOAT_EQ(SingleAt(first, kFirstRobot + 32), 1.0F);
+  EXPECT_FLOAT_EQ(SingleAt(first, kFirstRobot + 36), 0.5F);  // b
+  EXPECT_FLOAT_EQ(SingleAt(first, kFirstRobot + 40), 2.5F);
+  EXPECT_FLOAT_EQ(SingleAt(first, kFirstRobot + 44), 1.0F);
   double before = 0.0;
   double after = 0.0;
   std::memcpy(&before, first.data() + 8, sizeof before);
@@ -159,7 +159,7 @@ TEST(WebServer, CallsOfViewersAreServices) {
   EXPECT_EQ(good.Find("id")->AsInt(), 7);
   for (;;) {  // soon seen
     const std::string frame = client.NextFrame();
-    if (SingleAt(frame, kFirstRobot + 24) == 0.6F) break;
+    if (SingleAt(frame, kFirstRobot + 36) == 0.6F) break;
   }
   for (const char* wrong : {R"(["b", "no_such", []])", R"([1, 2, 3])", R"("x")"}) {
     EXPECT_FALSE(client.Call(wrong).Find("ok")->AsBool()) << wrong;
@@ -231,7 +231,7 @@ TEST(WebServer, AFrameTellsWhichBoxesStandWaitAndHaveMoved) {
         std::find_if(boxes.begin(), boxes.end(), [&](const auto& box) { return box.id == id; }) -
         boxes.begin());
   };
-  const std::size_t flags_at = kFirstRobot + 24 * simulation.robots().size() + 4;
+  const std::size_t flags_at = kFirstRobot + 36 * simulation.robots().size() + 4;
   const std::size_t moved_at = flags_at + (boxes.size() + 3) / 4 * 4;
   const auto frame = [&] {
     ViewModel::Seen seen;
@@ -299,7 +299,7 @@ TEST(WebServer, ViewersThatHaveSeenTheSameAreToldTheSame) {
       const auto [found, is_new] = seen.emplace(time_of(frame), frame);
       if (is_new) continue;
       ++same;
-      EXPECT_EQ(frame.substr(kFirstRobot, 48), found->second.substr(kFirstRobot, 48));
+      EXPECT_EQ(frame.substr(kFirstRobot, 72), found->second.substr(kFirstRobot, 72));
     }
   }
   EXPECT_GT(same, 5);

@@ -39,6 +39,8 @@ export interface Robot {
   length: number;
   width: number;
   height: number;
+  origin: number; // m above the floor
+  shape: number; // of scene.shapes, in the robot's own frame; -1: none but the hull
   clearance: number;
   wheel_radius: number;
   wheel_width: number;
@@ -82,6 +84,7 @@ export interface Scene {
   meshes: Mesh[];
   lights: Light[];
   robots: Robot[];
+  shapes: Mesh[][];
   lasers: Laser[];
   rings: Ring[];
   camera: { position: [number, number, number]; rotation: [number, number, number] };
@@ -97,6 +100,9 @@ export interface RobotState {
   v: number;
   w: number;
   stalled: boolean;
+  z: number; // m, of the ground beneath it
+  roll: number;
+  pitch: number;
 }
 
 export interface Scan {
@@ -157,6 +163,9 @@ export function readFrame(buffer: ArrayBuffer): Frame {
       v: single(),
       w: single(),
       stalled: word() === 1,
+      z: single(),
+      roll: single(),
+      pitch: single(),
     });
   }
   const boxCount = word();

@@ -2,7 +2,7 @@ import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 import { Boxes } from "./boxes";
-import type { Frame, Laser, Robot, RobotState, Scene } from "./protocol";
+import type { Frame, Laser, Mesh, Robot, RobotState, Scene } from "./protocol";
 import { type Quality, prism, surface } from "./shapes";
 
 export type CameraKind = "orbit" | "follow" | "top" | "robot";
@@ -108,7 +108,7 @@ class Trail {
     this.last.set(Infinity, Infinity);
   }
 
-  add(x: number, y: number): void {
+  add(x: number, y: number, z: number): void {
     const step = Math.hypot(x - this.last.x, y - this.last.y);
     if (step < TRAIL_STEP) return;
     if (step > JUMP) this.count = 0; // it was put there
@@ -117,7 +117,7 @@ class Trail {
       this.positions.array.copyWithin(0, (3 * TRAIL_POINTS) / 2);
       this.count = TRAIL_POINTS / 2;
     }
-    this.positions.setXYZ(this.count++, x, y, 0.004);
+    this.positions.setXYZ(this.count++, x, y, z + 0.004);
     this.positions.needsUpdate = true;
     this.line.geometry.setDrawRange(0, this.count);
     this.last.set(x, y);
@@ -150,6 +150,33 @@ function nameTag(text: string): THREE.Sprite {
   return sprite;
 }
 
+// A body of triangles, each flat and of its own colour.
+function meshOf(mesh: Mesh, quality: Quality): THREE.Mesh {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(mesh.vertices.flat(), 3));
+  geometry.setIndex(mesh.triangles.flat());
+  const flat = geometry.toNonIndexed();
+  flat.computeVertexNormals();
+  const own = mesh.color_of.length > 0;
+  if (own) {
+    const palette = mesh.palette.map((color) => new THREE.Color(color).toArray());
+    const colors = mesh.color_of.flatMap((i) => [palette[i]!, palette[i]!, palette[i]!].flat());
+    flat.setAttribute("color", new THREE.Float32BufferAttribute(colors, 3));
+  }
+  const body = new THREE.Mesh(
+    flat,
+    surface(quality, {
+      color: own ? 0xffffff : mesh.color, roughness: 0.7, side: THREE.DoubleSide,
+      vertexColors: own,
+    }),
+  );
+  body.position.set(...mesh.position);
+  body.rotation.set(...mesh.rotation, "ZYX");
+  body.castShadow = true;
+  body.receiveShadow = true;
+  return body;
+}
+
 class RobotModel {
   readonly group = new THREE.Group();
   readonly fans: Fan[] = []; // of lasers
@@ -163,7 +190,9 @@ class RobotModel {
     readonly robot: Robot,
     private readonly index: number,
     private readonly quality: Quality,
+    shape: Mesh[] | undefined,
   ) {
+    this.group.rotation.order = "ZYX";
     const body =
       quality === "high"
         ? new THREE.MeshPhysicalMaterial({
@@ -175,7 +204,13 @@ class RobotModel {
           })
         : surface(quality, { color: robot.color });
     const dark = surface(quality, { color: 0x22262b, roughness: 0.6 });
-    robot.hull.forEach((part, i) => {
+    if (shape !== undefined) {
+      const holder = new THREE.Group();
+      holder.position.z = robot.origin;
+      for (const mesh of shape) holder.add(meshOf(mesh, quality));
+      this.group.add(holder);
+    }
+    (shape === undefined ? robot.hull : []).forEach((part, i) => {
       // Where the lower part is wider it is the chassis, dark; the upper one wears the colour.
       const chassis = robot.hull.length > 1 && i === 0;
       const bottom = Math.max(part.bottom, robot.clearance);
@@ -206,13 +241,18 @@ class RobotModel {
   }
 
   show(state: RobotState, seconds: number, layers: Layers): void {
-    this.group.position.set(state.x, state.y, 0);
-    this.group.rotation.z = state.yaw;
+    this.group.rotation.set(state.roll, state.pitch, state.yaw, "ZYX");
+    this.group.position.set(state.x, state.y, state.z);
+    if (state.roll !== 0 || state.pitch !== 0) {
+      // It leans about its own origin, not about its foot.
+      const up = new THREE.Vector3(0, 0, this.robot.origin);
+      this.group.position.add(up).sub(up.clone().applyEuler(this.group.rotation));
+    }
     this.wheels.forEach((wheel, side) => {
       const turn = ((side === 0 ? -1 : 1) * state.w * this.robot.wheel_track) / 2;
       wheel.rotation.y += ((state.v + turn) * seconds) / this.robot.wheel_radius;
     });
-    this.trail.add(state.x, state.y);
+    this.trail.add(state.x, state.y, state.z);
     this.trail.line.visible = layers.trails;
     this.tag.visible = layers.names;
     this.arrow.visible = layers.speeds && Math.abs(state.v) > 1e-3;
@@ -323,33 +363,9 @@ export class Stage {
     this.boxes = new Boxes(scene.boxes, this.quality);
     this.boxes.setEditing(this.editing);
     this.content.add(this.boxes.group);
-    for (const mesh of scene.meshes) {
-      const geometry = new THREE.BufferGeometry();
-      geometry.setAttribute("position", new THREE.Float32BufferAttribute(mesh.vertices.flat(), 3));
-      geometry.setIndex(mesh.triangles.flat());
-      const flat = geometry.toNonIndexed();
-      flat.computeVertexNormals();
-      const own = mesh.color_of.length > 0;
-      if (own) {
-        const palette = mesh.palette.map((color) => new THREE.Color(color).toArray());
-        const colors = mesh.color_of.flatMap((i) => [palette[i]!, palette[i]!, palette[i]!].flat());
-        flat.setAttribute("color", new THREE.Float32BufferAttribute(colors, 3));
-      }
-      const body = new THREE.Mesh(
-        flat,
-        surface(this.quality, {
-          color: own ? 0xffffff : mesh.color, roughness: 0.7, side: THREE.DoubleSide,
-          vertexColors: own,
-        }),
-      );
-      body.position.set(...mesh.position);
-      body.rotation.set(...mesh.rotation, "ZYX");
-      body.castShadow = true;
-      body.receiveShadow = true;
-      this.content.add(body);
-    }
+    for (const mesh of scene.meshes) this.content.add(meshOf(mesh, this.quality));
     scene.robots.forEach((robot, i) => {
-      const model = new RobotModel(robot, i, this.quality);
+      const model = new RobotModel(robot, i, this.quality, scene.shapes[robot.shape]);
       this.robots.push(model);
       this.content.add(model.group, model.trail.line);
     });
@@ -428,9 +444,12 @@ export class Stage {
     } else if (kind === "follow") {
       const state = this.states[this.chosen];
       if (state !== undefined) {
-        this.controls.target.set(state.x, state.y, 0.1);
+        // As far behind as the robot is large.
+        const far = Math.max(0.9, 2.5 * (this.robots[this.chosen]?.robot.length ?? 0));
+        this.controls.target.set(state.x, state.y, state.z + 0.1);
         this.camera.position.set(
-          state.x - 0.9 * Math.cos(state.yaw), state.y - 0.9 * Math.sin(state.yaw), 0.65);
+          state.x - far * Math.cos(state.yaw), state.y - far * Math.sin(state.yaw),
+          state.z + (0.65 / 0.9) * far);
       }
     }
     this.controls.update();
@@ -629,11 +648,11 @@ export class Stage {
     const robot = this.robots[this.chosen];
     if (state !== undefined && robot !== undefined) {
       if (this.kind === "follow") {
-        const to = new THREE.Vector3(state.x, state.y, 0.1);
+        const to = new THREE.Vector3(state.x, state.y, state.z + 0.1);
         this.camera.position.add(to.clone().sub(this.controls.target));
         this.controls.target.copy(to);
       } else if (this.kind === "robot") {
-        const eye = robot.robot.height + 0.03;
+        const eye = state.z + robot.robot.height + 0.03;
         this.camera.position.set(state.x, state.y, eye);
         this.camera.lookAt(
           state.x + Math.cos(state.yaw), state.y + Math.sin(state.yaw), eye - 0.12);

@@ -145,6 +145,10 @@ class Settings:
         return False
 
 
+class FromModel(str):
+    """What a model file says of an object, as long as no script says something else."""
+
+
 class Game(Settings):
     """Physics and properties of an object."""
 

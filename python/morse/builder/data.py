@@ -72,15 +72,21 @@ def worlds_folder():
 def data_folders():
     """Where MORSE's own data may be, in order."""
     roots = [os.environ["MORSE_ROOT"]] if os.environ.get("MORSE_ROOT") else []
-    return [os.path.join(root, "share", "morse", "data") for root in roots + ["/usr", "/usr/local"]]
+    if os.environ.get("CCMORSE_MORSE_DATA") != "off":
+        roots += ["/usr", "/usr/local"]
+    return [os.path.join(root, "share", "morse", "data") for root in roots]
+
+
+# Endings of the files of shapes that the simulator reads.
+MODEL_ENDINGS = (".blend", ".gltf", ".glb", ".obj", ".stl", ".dae")
 
 
 def find_asset(category, name):
     """The path of a model file, as MORSE looks for it; None where there is none."""
-    is_file = name.endswith((".blend", ".dae"))
-    if is_file and os.path.isfile(name):
+    named = name.lower().endswith(MODEL_ENDINGS)
+    if named and os.path.isfile(name):
         return os.path.abspath(name)
-    file = name if is_file else name + ".blend"
+    file = name if named else name + ".blend"
     candidates = [os.path.join(folder, category, file) for folder in data_folders()]
     for folder in filter(None, os.environ.get("MORSE_RESOURCE_PATH", "").split(":")):
         candidates += [os.path.join(folder, name), os.path.join(folder, file),

@@ -28,6 +28,7 @@ class PassiveObject(AbstractComponent):
             places.note("the model %s is not installed (Debian's morse-simulator-data has it)" %
                         filename)
         self.set_blender_object(bpymorse.Object(prefix or stem))
+        self._bpy_object.game.physics_type = bpymorse.FromModel("NO_COLLISION")
         if stem.lower() == "canvas" and bpymorse.get_material("CanvasMat") is None:
             bpymorse.create_new_material("CanvasMat")
         self.is_canvas = stem.lower() == "canvas"
@@ -98,7 +99,8 @@ class Robot(Component):
         if self.property_value("classpath") is None:
             self.properties(classpath="morse.robots.%s.%s" % (type(self).__name__.lower(),
                                                               type(self).__name__))
-        self._bpy_object.game.physics_type = entry["physics"] if entry else "DYNAMIC"
+        self._bpy_object.game.physics_type = bpymorse.FromModel(
+            entry["physics"] if entry else "DYNAMIC")
         if entry:
             self._bpy_object.game.mass = entry["mass"]
             self.properties(**entry.get("properties", {}))

@@ -5,7 +5,7 @@ import math
 import os
 import re
 
-from morse.builder import bpymorse, data, own, places
+from morse.builder import bpymorse, data, own, places, shapes
 from morse.builder.abstractcomponent import AbstractComponent, Configuration
 from morse.builder.blenderobjects import Mesh
 from morse.builder.environment import Environment, _stand_in
@@ -44,8 +44,16 @@ def build():
     scene.update(_world(environment, scene["robots"]))
     props = [_prop(item) for item in AbstractComponent.components
              if isinstance(item, PassiveObject) and not item.is_canvas]
+    props += [_primitive(item) for item in AbstractComponent.components
+              if isinstance(item, Mesh) and not isinstance(item, Zone) and item.parent is None and
+              type(item).__name__ in shapes.PRIMITIVES]
     if props:
         scene["props"] = props
+        # It depends on a robot's height what of a table is in its way.
+        solid = any(prop.get("physics", "STATIC") != "NO_COLLISION" for prop in props
+                    if "shape" in prop or "scale" in prop)
+        if solid and isinstance(scene["world"], dict):
+            scene["world"]["terrain"] = True
     scene.update(_canvas())
     zones = [item for item in AbstractComponent.components if isinstance(item, Zone)]
     if zones:
@@ -59,8 +67,7 @@ def build():
         if isinstance(item, Zone):
             continue
         elif isinstance(item, Mesh):
-            places.note("a %s is not shown: shapes are no obstacles in MORSE either" %
-                        type(item).__name__, item.place, matters=False)
+            continue
         elif (item.parent is None and not isinstance(item, (Robot, PassiveObject, Environment)) and
               item.property_value("Component_Tag")):
             places.note("%s is appended to no robot" % item.name, item.place)
@@ -128,19 +135,29 @@ def _robot(robot, names):
     yaw -= 2.0 * math.pi * round(yaw / (2.0 * math.pi))  # as sensors have it
     name = _identifier(robot.full_name or robot.name, names)
     entry = robot.body_entry()
-    if entry is None:
-        places.note("the model %s is not read yet: a box of 0.5 m stands in for it" %
-                    (robot.model_path or robot.stem or "of " + robot.name), robot.place)
+    if entry is None and robot.model_path is None:
+        places.note("%s has no model: a box of 0.5 m stands in for it" % robot.name, robot.place)
         entry = {"mass": 10.0, "size": [0.5, 0.5], "z": [0.0, 0.5], "rest": 0.0}
     result = {"name": name, "pose": {"x": x, "y": y, "yaw": yaw}}
     if robot.paint is not None:
-        result["color"] = "#%02x%02x%02x" % tuple(
-            min(255, max(0, round(255 * part))) for part in robot.paint)
-    if entry.get("type"):
+        result["color"] = _hex(robot.paint)
+    if entry is None:
+        result["type"] = "Custom"
+        result["body"] = _body_of_model(robot, z)
+    elif entry.get("type"):
         result["type"] = entry["type"]
     else:
         result["type"] = "Custom"
         result["body"] = _body(robot, entry, z)
+        result["body"].update(_look(robot))
+    if "body" in result:
+        if robot.property_value("NoGravity") or (entry and entry["rest"] is None) or (
+                entry is None and robot._bpy_object.game.physics_type == "NO_COLLISION"):
+            result["body"]["flies"] = True
+        own = _own_shapes(robot)
+        if own:
+            result["body"]["shape"] = result["body"].get("shape", []) + own
+    result["z"] = z
     given = _given_properties(robot)
     if given:
         result["properties"] = given
@@ -186,6 +203,48 @@ def _body(robot, entry, z):
     return {"footprint": footprint, "hull": hull, "origin_height": height,
             "mass": robot.mass if robot.mass else entry["mass"], "drive": "diff",
             "max_speed": _FASTEST, "max_turn_rate": _FASTEST}
+
+
+def _hex(paint):
+    return "#%02x%02x%02x" % tuple(min(255, max(0, round(255 * part))) for part in paint)
+
+
+def _look(robot):
+    """How the robot is shown: its model where it is installed, else a shape of our own."""
+    if robot.model_path is not None:
+        model = {"file": robot.model_path, "scale": list(robot.scale)}
+        if robot.paint is not None:
+            model["color"] = _hex(robot.paint)
+        return {"model": model}
+    if list(robot.scale) != [1.0, 1.0, 1.0]:
+        return {}
+    shape = shapes.robot(robot.stem, None if robot.paint is None else _hex(robot.paint))
+    return {"shape": shape} if shape else {}
+
+
+def _body_of_model(robot, z):
+    """The body that the simulator makes of the user's own model."""
+    body = dict(_look(robot), max_speed=_FASTEST, max_turn_rate=_FASTEST, drive="diff")
+    physics = robot._bpy_object.game.physics_type
+    if not isinstance(physics, bpymorse.FromModel):
+        body["model"]["physics"] = str(physics)
+    if robot.mass:
+        body["mass"] = robot.mass
+    if physics == "NO_COLLISION" or robot.property_value("NoGravity"):
+        body["origin_height"] = max(0.0, z)
+    return body
+
+
+def _own_shapes(robot):
+    """Primitives that a script has put on the robot."""
+    found = []
+    for item in robot.children:
+        if not isinstance(item, Mesh) or type(item).__name__ not in shapes.PRIMITIVES:
+            continue
+        vertices, triangles = shapes.scaled(shapes.PRIMITIVES[type(item).__name__](), item.scale)
+        found.append(shapes.mesh(vertices, triangles, _hex(item.paint or (0.8, 0.8, 0.8)),
+                                 item.location, item.rotation_euler))
+    return found
 
 
 # Components
@@ -346,16 +405,13 @@ def _world(environment, robots):
     if stand_in == "syrotek":
         result["world"] = "syrotek"
         return result
-    if stand_in in (None, "file") and environment.environment_file is not None:
-        # The user's own, or one of MORSE's with a level floor: read by the simulator.
-        result["world"] = {"file": environment.environment_file}
+    if environment.environment_file is not None:
+        # The user's own, or one of MORSE's: read by the simulator.
+        result["world"] = {"file": environment.environment_file, "terrain": True}
         return result
     if stand_in in (None, "", "file"):
-        text = "the ground of %s is not level, and robots stay at its height" % environment.filename
-        if environment.environment_file is None:
-            text = ("the environment %s is not installed (Debian's morse-simulator-data has it)" %
-                    environment.filename)
-        places.note(text + ": an empty ground stands in for it", environment.place)
+        places.note("the environment %s is not installed (Debian's morse-simulator-data has it): "
+                    "an empty ground stands in for it" % environment.filename, environment.place)
         stand_in = "morse_empty"
     elif stand_in == "morse_sandbox":
         places.note("the sandbox is a stand-in of our own", environment.place, matters=False)
@@ -404,9 +460,26 @@ def _widen(world, robots):
 
 
 def _prop(item):
-    places.note("the object %s is not simulated: models are not read yet" %
-                (item.prefix or item.name), item.place)
-    return {"name": item.name, "file": item.path or item._model, "object": item.prefix or "",
+    prop = {"name": item.name, "file": item.path or item._model, "object": item.prefix or "",
+            "position": list(item.location), "rotation": list(item.rotation_euler),
+            "properties": _given_properties(item)}
+    if item.path is None:
+        return prop  # its model is not installed, as has been said
+    prop["scale"] = list(item.scale)
+    if item.keep_pose:
+        prop["keep_pose"] = True
+    physics = item._bpy_object.game.physics_type
+    if not isinstance(physics, bpymorse.FromModel):
+        prop["physics"] = str(physics)
+    return prop
+
+
+def _primitive(item):
+    """A shape: seen in views, and by nothing else unless a script gives it other physics."""
+    vertices, triangles = shapes.scaled(shapes.PRIMITIVES[type(item).__name__](), item.scale)
+    return {"name": item.name, "file": "",
+            "shape": [shapes.mesh(vertices, triangles, _hex(item.paint or (0.8, 0.8, 0.8)))],
+            "physics": str(item._bpy_object.game.physics_type),
             "position": list(item.location), "rotation": list(item.rotation_euler),
             "properties": _given_properties(item)}
 

@@ -42,6 +42,12 @@ class FrameWriter {
 
 Json Point(const Vec3& p) { return Json(Json::Array{p.x, p.y, p.z}); }
 
+// To a tenth of a millimetre: shapes are most of a scene's text.
+Json Near(const Vec3& p) {
+  const auto round = [](double v) { return std::round(v * 1e4) / 1e4; };
+  return Json(Json::Array{round(p.x), round(p.y), round(p.z)});
+}
+
 Json Hex(const Color& color) {
   return Json(static_cast<int>(color.r) << 16 | static_cast<int>(color.g) << 8 |
               static_cast<int>(color.b));
@@ -51,6 +57,41 @@ Json Outline(const std::vector<Vec2>& outline) {
   Json::Array points;
   for (const Vec2& point : outline) points.push_back(Json::Array{point.x, point.y});
   return Json(std::move(points));
+}
+
+Json MeshScene(const scene::Mesh& mesh) {
+  Json::Array vertices;
+  for (const Vec3& vertex : mesh.vertices) vertices.push_back(Near(vertex));
+  Json::Array triangles;
+  for (const auto& t : mesh.triangles) triangles.push_back(Json::Array{t[0], t[1], t[2]});
+  Json::Array palette;
+  for (const Color& color : mesh.palette) palette.push_back(Hex(color));
+  return Json(Json::Object{{"id", mesh.id},
+                           {"position", Point(mesh.position)},
+                           {"rotation", Point(mesh.rotation)},
+                           {"color", Hex(mesh.color)},
+                           {"palette", std::move(palette)},
+                           {"color_of", Json::Array(mesh.color_of.begin(), mesh.color_of.end())},
+                           {"vertices", std::move(vertices)},
+                           {"triangles", std::move(triangles)}});
+}
+
+// Robots alike share the text of their shape.
+bool SameShape(const std::vector<scene::Mesh>& a, const std::vector<scene::Mesh>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const auto same = [](const Vec3& p, const Vec3& q) {
+      return p.x == q.x && p.y == q.y && p.z == q.z;
+    };
+    if (!std::equal(a[i].vertices.begin(), a[i].vertices.end(), b[i].vertices.begin(),
+                    b[i].vertices.end(), same) ||
+        a[i].triangles != b[i].triangles || !(a[i].color == b[i].color) ||
+        a[i].palette != b[i].palette || a[i].color_of != b[i].color_of ||
+        !same(a[i].position, b[i].position) || !same(a[i].rotation, b[i].rotation)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 void AppendRanges(FrameWriter& out, const std::vector<double>& ranges, double most) {
@@ -98,22 +139,7 @@ std::string ViewModel::Scene(const Json& more) const {
   }
   Json::Array meshes;
   for (const scene::Mesh& mesh : world.meshes) {
-    if (!mesh.drawn) continue;
-    Json::Array vertices;
-    for (const Vec3& vertex : mesh.vertices) vertices.push_back(Point(vertex));
-    Json::Array triangles;
-    for (const auto& t : mesh.triangles) triangles.push_back(Json::Array{t[0], t[1], t[2]});
-    Json::Array palette;
-    for (const Color& color : mesh.palette) palette.push_back(Hex(color));
-    meshes.push_back(
-        Json::Object{{"id", mesh.id},
-                     {"position", Point(mesh.position)},
-                     {"rotation", Point(mesh.rotation)},
-                     {"color", Hex(mesh.color)},
-                     {"palette", std::move(palette)},
-                     {"color_of", Json::Array(mesh.color_of.begin(), mesh.color_of.end())},
-                     {"vertices", std::move(vertices)},
-                     {"triangles", std::move(triangles)}});
+    if (mesh.drawn) meshes.push_back(MeshScene(mesh));
   }
   Json::Array lights;
   for (const scene::Light& light : world.lights) {
@@ -123,7 +149,25 @@ std::string ViewModel::Scene(const Json& more) const {
                                   {"shadows", light.shadows}});
   }
   Json::Array robots;
-  for (const auto& robot : simulation_.robots()) robots.push_back(RobotScene(*robot));
+  Json::Array shapes;
+  std::vector<const std::vector<scene::Mesh>*> known;
+  for (const auto& robot : simulation_.robots()) {
+    Json one = RobotScene(*robot);
+    if (robot->def().body && !robot->def().body->shape.empty()) {
+      const std::vector<scene::Mesh>& shape = robot->def().body->shape;
+      const auto same = std::find_if(known.begin(), known.end(), [&shape](const auto* other) {
+        return SameShape(*other, shape);
+      });
+      one.Set("shape", Json(static_cast<int>(same - known.begin())));
+      if (same == known.end()) {
+        known.push_back(&shape);
+        Json::Array meshes_of;
+        for (const scene::Mesh& mesh : shape) meshes_of.push_back(MeshScene(mesh));
+        shapes.emplace_back(std::move(meshes_of));
+      }
+    }
+    robots.push_back(std::move(one));
+  }
   Json::Array lasers;
   for (const sim::LaserScanner* laser : lasers_) {
     const sim::BeamFan& fan = laser->fan();
@@ -164,6 +208,7 @@ std::string ViewModel::Scene(const Json& more) const {
                           {"meshes", std::move(meshes)},
                           {"lights", std::move(lights)},
                           {"robots", std::move(robots)},
+                          {"shapes", std::move(shapes)},
                           {"lasers", std::move(lasers)},
                           {"rings", std::move(rings)},
                           {"camera", Json::Object{{"position", Point(scenario.camera.position)},
@@ -194,6 +239,8 @@ Json ViewModel::RobotScene(const sim::Robot& robot) const {
                            {"length", model.length},
                            {"width", model.width},
                            {"height", model.height},
+                           {"origin", model.origin_height},
+                           {"shape", -1},
                            {"clearance", model.ground_clearance},
                            {"wheel_radius", model.wheel_radius},
                            {"wheel_width", model.wheel_width},
@@ -221,6 +268,9 @@ std::string ViewModel::Frame(Seen& seen, double rate, const TimeState& time) {
     out.Single(robot->twist().v);
     out.Single(robot->twist().w);
     out.Word(robot->stalled() ? 1 : 0);
+    out.Single(robot->stand().z);
+    out.Single(robot->stand().roll);
+    out.Single(robot->stand().pitch);
   }
   const auto& boxes = simulation_.world().scene().boxes;
   out.Word(static_cast<std::uint32_t>(boxes.size()));

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/euler.h"
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "scene/mesh.h"
@@ -14,10 +15,6 @@
 
 namespace ccmorse::sim {
 namespace {
-
-Rotation Combined(const Rotation& outer, const Rotation& inner) {
-  return {Rotate(outer, inner.x), Rotate(outer, inner.y), Rotate(outer, inner.z)};
-}
 
 TriangleSet BoxTriangles(const scene::World& world) {
   TriangleSet set;
@@ -78,7 +75,8 @@ RayPath RangeEngine::Choose(const BeamFan& fan, double height) const {
       std::any_of(mesh_heights_.begin(), mesh_heights_.end(), [height](const Heights& heights) {
         return heights.bottom <= height && height <= heights.top;
       });
-  const bool planar = fan.upright() && !meets_mesh;
+  // On terrain robots are at all heights, and may lean.
+  const bool planar = fan.upright() && !meets_mesh && !world_.scene().terrain;
   if (forced_ == RayPath::kPlanar && !planar) {
     throw Error("a scan that is tilted, has layers or meets a mesh cannot take the planar path");
   }
@@ -112,7 +110,9 @@ void RangeEngine::ScanHits(BeamFan& fan, const Pose2& robot, double origin_heigh
 void RangeEngine::Trace(BeamFan& fan, const Pose2& robot, double origin_height, int self,
                         std::span<RayHit> hits) const {
   const EmbreeScene& triangles = Triangles();
-  const Rotation turned = FromEuler(0.0, 0.0, robot.yaw);
+  const bool leans = self >= 0 && world_.robots()[static_cast<std::size_t>(self)]->tilted();
+  const Rotation turned = leans ? world_.robots()[static_cast<std::size_t>(self)]->rotation()
+                                : FromEuler(0.0, 0.0, robot.yaw);
   const Rotation rotation = Combined(turned, fan.rotation());
   const Vec3 origin = Vec3{robot.x, robot.y, origin_height} + Rotate(turned, fan.position());
   thread_local std::vector<Ray> rays;
@@ -187,6 +187,13 @@ RayHit RangeEngine::Nearest(const Cone& cone, double range, int self) const {
   return Triangles().Nearest(cone, range, self);
 }
 
+double RangeEngine::Cast(const Ray& ray, double range, int self) const {
+  RayHit hit;
+  Triangles().Trace({&ray, 1}, range, self, {&hit, 1});
+  MeetFloor(ray, hit);
+  return hit.distance;
+}
+
 bool RangeEngine::LineOfSight(const Vec3& from, const Vec3& to) const {
   const Vec3 way = to - from;
   const double length = std::sqrt(Dot(way, way));
@@ -236,12 +243,14 @@ void RangeEngine::Build() const {
 bool RangeEngine::PlaceRobots() const {
   for (const Robot* robot : world_.robots()) {
     const Pose2& pose = robot->pose();
-    const double farthest = std::max(std::fabs(pose.x), std::fabs(pose.y)) + 1.0;
+    const Vec3 foot = robot->foot();
+    const double farthest =
+        std::max({std::fabs(pose.x), std::fabs(pose.y), std::fabs(foot.z)}) + 1.0;
     if (farthest > triangles_->extent()) {
       extent_ = 2.0 * farthest;
       return false;
     }
-    triangles_->Place(robot->index(), {{pose.x, pose.y, 0.0}, FromEuler(0.0, 0.0, pose.yaw)});
+    triangles_->Place(robot->index(), {foot, robot->rotation()});
   }
   return true;
 }

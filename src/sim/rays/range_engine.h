@@ -54,6 +54,9 @@ class RangeEngine {
   /// The nearest point of anything but the floor and robot `self` in the cone, within `range` (m).
   RayHit Nearest(const Cone& cone, double range, int self) const;
 
+  /// Distance along one ray to anything but robot `self`, m; `range` (m) where there is nothing.
+  double Cast(const Ray& ray, double range, int self) const;
+
   /// Is the straight way from one point to the other free of boxes, meshes, robots and floor?
   bool LineOfSight(const Vec3& from, const Vec3& to) const;
 

@@ -1,9 +1,11 @@
 #include "sim/robots/robot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "base/error.h"
+#include "base/polygon.h"
 #include "base/trig.h"
 #include "sim/actuators/destination.h"
 #include "sim/actuators/light.h"
@@ -74,12 +76,22 @@ void Robot::Move(const Instant& now, std::span<const Obstacle* const> obstacles)
   if (!dynamics_) {
     // It stays.
   } else if (command_.v != 0.0 || command_.w != 0.0 || command_.side != 0.0) {
-    const MotionResult moved = DriveUntilContact(footprint_, pose_, command_.v, command_.w,
-                                                 now.step, obstacles, command_.side);
+    const MotionResult moved = ground_ != nullptr
+                                   ? MoveOnGround(now, obstacles)
+                                   : DriveUntilContact(footprint_, pose_, command_.v, command_.w,
+                                                       now.step, obstacles, command_.side);
     pose_ = moved.pose;
     tally_.distance += moved.driven;
     stalled_ = moved.blocked;
     outline_old_ = true;
+  }
+  if (ground_ != nullptr) {
+    const double before = stand_.z;
+    if (!def_.body || !def_.body->flies) stand_ = ground_->StandAt(footprint_, pose_, stand_.z);
+    climb_ = (stand_.z - before) / now.step;
+    hash_.Add(stand_.z);
+    hash_.Add(stand_.roll);
+    hash_.Add(stand_.pitch);
   }
   if (stalled_) {
     twist_ = {};
@@ -93,8 +105,64 @@ void Robot::Move(const Instant& now, std::span<const Obstacle* const> obstacles)
   hash_.Add(twist_.w);
 }
 
+Vec3 Robot::foot() const {
+  if (!tilted()) return {pose_.x, pose_.y, stand_.z};
+  return position() - Rotate(rotation(), {0.0, 0.0, model_.origin_height});
+}
+
+void Robot::set_ground(const Ground& ground) {
+  if (ground.empty()) return;
+  ground_ = &ground;
+  Land(def_.z);
+}
+
+void Robot::Land(double from) {
+  climb_ = 0.0;
+  if (ground_ == nullptr || (def_.body && def_.body->flies)) return;
+  stand_ = ground_->StandAt(footprint_, pose_, ground_->Land({pose_.x, pose_.y}, from));
+}
+
+void Robot::FindInTheWay(double reach, std::vector<Obstacle>& found) const {
+  if (ground_ == nullptr) return;
+  const bool flies = def_.body && def_.body->flies;
+  // What is low is driven over; what has no hull is as high as a step.
+  double bottom = Ground::kStep;
+  double top = 2.0 * Ground::kStep;
+  if (flies && !model_.hull.empty()) bottom = model_.hull.front().bottom;
+  for (const scene::HullPart& part : model_.hull) {
+    top = std::max(top, part.top);
+    if (flies) bottom = std::min(bottom, part.bottom);
+  }
+  ground_->Obstacles(pose_, stand_, reach, bottom, top, flies, found);
+}
+
+MotionResult Robot::MoveOnGround(const Instant& now,
+                                 std::span<const Obstacle* const> obstacles) const {
+  thread_local std::vector<Obstacle> found;
+  thread_local std::vector<const Obstacle*> in_the_way;
+  found.clear();
+  in_the_way.assign(obstacles.begin(), obstacles.end());
+  const double speed = std::sqrt(command_.v * command_.v + command_.side * command_.side);
+  FindInTheWay(footprint_.radius + speed * now.step + 0.01, found);
+  // What the robot stands in lets it out, as physics would push it, but no deeper in.
+  const std::vector<Vec2> start = footprint_.At(pose_);
+  const std::vector<Vec2> end =
+      footprint_.At(DriveArc(pose_, command_.v, command_.w, now.step, command_.side));
+  for (const Obstacle& obstacle : found) {
+    const Obstacle* const one = &obstacle;
+    if (!Collides(footprint_, pose_, {&one, 1})) {
+      in_the_way.push_back(one);
+    } else if (ConvexGap(end, obstacle.outline) < ConvexGap(start, obstacle.outline)) {
+      return {pose_, true, 0.0};
+    }
+  }
+  return DriveUntilContact(footprint_, pose_, command_.v, command_.w, now.step, in_the_way,
+                           command_.side);
+}
+
 void Robot::Place(const Pose2& pose) {
   pose_ = pose;
+  Land(stand_.z);
   twist_ = {};
   command_ = {};
   stalled_ = false;
@@ -103,12 +171,13 @@ void Robot::Place(const Pose2& pose) {
 
 void Robot::Orient(double yaw) {
   pose_.yaw = yaw;
+  Land(stand_.z);
   outline_old_ = true;
 }
 
 Vec3 Robot::velocity() const {
   const auto [s, c] = SinCos(pose_.yaw);
-  return {c * twist_.v - s * twist_.side, s * twist_.v + c * twist_.side, 0.0};
+  return {c * twist_.v - s * twist_.side, s * twist_.v + c * twist_.side, climb_};
 }
 
 const Obstacle& Robot::outline() const {
@@ -121,6 +190,7 @@ const Obstacle& Robot::outline() const {
 
 void Robot::Reset() {
   Place(def_.pose);
+  Land(def_.z);
   dynamics_ = true;
   driver_ = nullptr;
   tally_ = {};

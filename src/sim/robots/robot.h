@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "base/pose.h"
+#include "base/rotation.h"
 #include "scene/robots.h"
 #include "scene/scenario.h"
 #include "sim/component.h"
+#include "sim/ground.h"
 #include "sim/physics/kinematics.h"
 
 namespace ccmorse::sim {
@@ -43,13 +45,25 @@ class Robot {
   int index() const { return index_; }
 
   const Pose2& pose() const { return pose_; }
-  Vec3 position() const { return {pose_.x, pose_.y, model_.origin_height}; }
+  Vec3 position() const { return {pose_.x, pose_.y, stand_.z + model_.origin_height}; }
+  Rotation rotation() const { return FromEuler(stand_.roll, stand_.pitch, pose_.yaw); }
+  /// How it stands on uneven ground (World::terrain); level at z = 0 on all other.
+  const Stand& stand() const { return stand_; }
+  bool tilted() const { return stand_.roll != 0.0 || stand_.pitch != 0.0; }
+  /// Where the middle of its footprint is, m, in the world: heights of its hull count from there.
+  Vec3 foot() const;
   const Twist& twist() const { return twist_; }  ///< what it really did in the last tick
   bool stalled() const { return stalled_; }      ///< the last tick's motion was blocked
   const RobotTally& tally() const { return tally_; }
 
   /// twist() in the world's frame, m/s: what a physics engine calls the body's linear velocity.
   Vec3 velocity() const;
+
+  /// Puts it on uneven ground, which outlives it; before the run. One that is empty has no effect.
+  void set_ground(const Ground& ground);
+
+  /// Appends what of the ground's meshes is in its way within `reach` (m) of its origin.
+  void FindInTheWay(double reach, std::vector<Obstacle>& found) const;
 
   /// Speeds from the next physics step on, clamped to the model's limits. `by` is the actuator that
   /// drives from now on: where two are mounted, the one commanded last has the robot.
@@ -93,6 +107,8 @@ class Robot {
   const StateHash& hash() const { return hash_; }
 
  private:
+  void Land(double from);
+  MotionResult MoveOnGround(const Instant& now, std::span<const Obstacle* const> obstacles) const;
   void Register(std::unique_ptr<Sensor> sensor);
   void Register(std::unique_ptr<Actuator> actuator);
 
@@ -101,6 +117,9 @@ class Robot {
   Footprint footprint_;
   int index_;
   Pose2 pose_;
+  Stand stand_;
+  double climb_ = 0.0;              // m/s, upwards in the last tick
+  const Ground* ground_ = nullptr;  // where it is uneven
   Twist command_;
   Twist twist_;
   const Actuator* driver_ = nullptr;

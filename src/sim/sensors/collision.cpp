@@ -43,6 +43,12 @@ void Collision::Sample(const Instant& now) {
     for (const Obstacle* obstacle : near_) {
       if (touches(*obstacle)) add(NameOf(obstacle->box_id));
     }
+    // On terrain it depends on the robot what of a mesh is in its way.
+    std::vector<Obstacle> meshes;
+    robot().FindInTheWay(robot().footprint().radius + kTouch, meshes);
+    for (const Obstacle& obstacle : meshes) {
+      if (touches(obstacle)) add(NameOf(obstacle.box_id));
+    }
   }
   for (const Robot* other : world_.robots()) {
     if (other == &robot()) continue;

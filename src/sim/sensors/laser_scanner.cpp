@@ -45,7 +45,7 @@ void LaserScanner::Sample(const Instant& now) {
     ranges_ = mirrored_;
     return DataChanged(now.time);
   }
-  world_.rays().Scan(fan_, robot().pose(), robot().model().origin_height, robot().index(), ranges_);
+  world_.rays().Scan(fan_, robot().pose(), robot().position().z, robot().index(), ranges_);
   if (def_.range_std > 0.0) AddNoise(now.tick);
   DataChanged(now.time);
 }

@@ -5,6 +5,7 @@
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "sim/robots/robot.h"
+#include "sim/sensors/sensor_motion.h"
 
 namespace ccmorse::sim {
 
@@ -18,6 +19,16 @@ PoseSensor::PoseSensor(Robot& robot, const std::string& name, std::uint64_t seed
 }
 
 void PoseSensor::Read() {
+  pitch_ = mount_euler().y;
+  roll_ = mount_euler().x;
+  if (robot().tilted()) {
+    const MountPlace place = PlaceOfMount(*this);
+    pose_ = {place.position.x, place.position.y, place.euler.z};
+    z_ = place.position.z;
+    pitch_ = place.euler.y;
+    roll_ = place.euler.x;
+    return;
+  }
   pose_ = robot().pose();
   z_ = robot().position().z;
   const Vec3 at = mount();
@@ -60,7 +71,7 @@ void PoseSensor::AddToHash(StateHash& hash) const {
 }
 
 void PoseSensor::AppendNumbers(std::vector<double>& out) const {
-  out.insert(out.end(), {pose_.x, pose_.y, z_, mount_euler().x, mount_euler().y, pose_.yaw});
+  out.insert(out.end(), {pose_.x, pose_.y, z_, roll_, pitch_, pose_.yaw});
 }
 
 void PoseSensor::AppendFields(std::string& out) const {
@@ -68,8 +79,8 @@ void PoseSensor::AppendFields(std::string& out) const {
   AppendField(out, "y", pose_.y);
   AppendField(out, "z", z_);
   AppendField(out, "yaw", pose_.yaw);
-  AppendField(out, "pitch", mount_euler().y);
-  AppendField(out, "roll", mount_euler().x);
+  AppendField(out, "pitch", pitch_);
+  AppendField(out, "roll", roll_);
 }
 
 }  // namespace ccmorse::sim

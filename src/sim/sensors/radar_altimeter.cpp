@@ -33,7 +33,12 @@ void RadarAltimeter::Sample(const Instant& now) {
   down.scan_window_deg = down.resolution_deg = 1e-6;
   BeamFan fan(down);
   std::array<double, 2> ranges{};
-  world_.rays().Scan(fan, robot().pose(), robot().model().origin_height, robot().index(), ranges);
+  if (robot().tilted()) {
+    ranges[0] = world_.rays().Cast({PlaceOfMount(*this).position, {0.0, 0.0, -1.0}}, kLongest,
+                                   robot().index());
+  } else {
+    world_.rays().Scan(fan, robot().pose(), robot().position().z, robot().index(), ranges);
+  }
   z_ = ranges[0] <= max_range_ ? ranges[0] : std::numeric_limits<double>::infinity();
   DataChanged(now.time);
 }

@@ -48,7 +48,7 @@ void RangeRing::Sample(const Instant& now) {
     const Vec2 at = Transform(base, {mount.x, mount.y});
     const auto [s, c] = SinCos(base.yaw + mounts_[i].yaw);
     Cone cone = cone_;
-    cone.apex = {at.x, at.y, robot().model().origin_height + mount.z};
+    cone.apex = {at.x, at.y, robot().position().z + mount.z};
     cone.axis = {c, s, 0.0};
     ranges_[i] =
         std::max(def_.min_range, world_.rays().Nearest(cone, def_.range, robot().index()).distance);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/euler.h"
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "sim/robots/robot.h"
@@ -26,6 +27,12 @@ MountPlace PlaceOfMount(const Component& component) {
   // Rz(robot) Rz Ry Rx of the mount: its yaw is added, roll and pitch are the mount's own.
   result.euler = {euler.x, euler.y, NormalizeAngle(robot.pose().yaw + euler.z)};
   result.rotation = FromEuler(result.euler.x, result.euler.y, result.euler.z);
+  if (robot.tilted()) {
+    const Rotation body = robot.rotation();
+    result.position = robot.position() + Rotate(body, mount);
+    result.rotation = Combined(body, FromEuler(euler.x, euler.y, euler.z));
+    result.euler = ToEuler(result.rotation);
+  }
   return result;
 }
 
