@@ -507,6 +507,17 @@ void ServiceDirectory::PlaceObject(Arguments arguments) {
     }
     throw ServiceFailed("Object '" + name + "' does not appear in the scene.");
   }
+  if (robot->dynamic()) {
+    // Anywhere in space: what it overlaps there pushes it out.
+    const Vec3 euler =
+        arguments.size() > 2 ? PointArgument(arguments, 2, "orientation") : robot->euler();
+    if (std::fabs(position.z) > kFarthest) {
+      throw WrongArgument("position must lie within 1000 m of the origin");
+    }
+    robot->PlaceInSpace({position, FromEuler(euler.x, euler.y, euler.z), {}, {}});
+    simulation_.world().RobotsMoved();
+    return;
+  }
   const double yaw =
       arguments.size() > 2 ? PointArgument(arguments, 2, "orientation").z : robot->pose().yaw;
   const Pose2 pose{position.x, position.y, NormalizeAngle(yaw)};

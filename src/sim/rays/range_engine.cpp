@@ -9,15 +9,12 @@
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "scene/mesh.h"
+#include "sim/physics/space.h"
 #include "sim/robots/robot.h"
 #include "sim/world.h"
 
 namespace ccmorse::sim {
 namespace {
-
-Rotation Combined(const Rotation& outer, const Rotation& inner) {
-  return {Rotate(outer, inner.x), Rotate(outer, inner.y), Rotate(outer, inner.z)};
-}
 
 TriangleSet BoxTriangles(const scene::World& world) {
   TriangleSet set;
@@ -93,9 +90,14 @@ void RangeEngine::Scan(BeamFan& fan, const Pose2& robot, double origin_height, i
                       ranges);
     return;
   }
+  Scan(fan, {robot.x, robot.y, origin_height}, FromEuler(0.0, 0.0, robot.yaw), self, ranges);
+}
+
+void RangeEngine::Scan(BeamFan& fan, const Vec3& origin, const Rotation& rotation, int self,
+                       std::span<double> ranges) const {
   thread_local std::vector<RayHit> hits;
   hits.resize(fan.count());
-  Trace(fan, robot, origin_height, self, hits);
+  Trace(fan, origin, rotation, self, hits);
   for (std::size_t i = 0; i < hits.size(); ++i) ranges[i] = hits[i].distance;
 }
 
@@ -105,16 +107,15 @@ void RangeEngine::ScanHits(BeamFan& fan, const Pose2& robot, double origin_heigh
   if (Choose(fan, height) == RayPath::kPlanar) {
     Identify(fan, robot, height, self, hits);
   } else {
-    Trace(fan, robot, origin_height, self, hits);
+    Trace(fan, {robot.x, robot.y, origin_height}, FromEuler(0.0, 0.0, robot.yaw), self, hits);
   }
 }
 
-void RangeEngine::Trace(BeamFan& fan, const Pose2& robot, double origin_height, int self,
+void RangeEngine::Trace(BeamFan& fan, const Vec3& robot, const Rotation& turned, int self,
                         std::span<RayHit> hits) const {
   const EmbreeScene& triangles = Triangles();
-  const Rotation turned = FromEuler(0.0, 0.0, robot.yaw);
   const Rotation rotation = Combined(turned, fan.rotation());
-  const Vec3 origin = Vec3{robot.x, robot.y, origin_height} + Rotate(turned, fan.position());
+  const Vec3 origin = robot + Rotate(turned, fan.position());
   thread_local std::vector<Ray> rays;
   rays.resize(fan.count());
   const std::vector<Vec3>& directions = fan.directions();
@@ -236,10 +237,17 @@ void RangeEngine::Build() const {
 bool RangeEngine::PlaceRobots() const {
   for (const Robot* robot : world_.robots()) {
     const Pose2& pose = robot->pose();
-    const double farthest = std::max(std::fabs(pose.x), std::fabs(pose.y)) + 1.0;
+    double farthest = std::max(std::fabs(pose.x), std::fabs(pose.y)) + 1.0;
+    if (robot->dynamic()) farthest = std::max(farthest, std::fabs(robot->position().z) + 1.0);
     if (farthest > triangles_->extent()) {
       extent_ = 2.0 * farthest;
       return false;
+    }
+    if (robot->dynamic()) {
+      // The hull counts from the floor beneath its place at the start.
+      const Vec3 below = Rotate(robot->rotation(), {0.0, 0.0, robot->model().origin_height});
+      triangles_->Place(robot->index(), {robot->position() - below, robot->rotation()});
+      continue;
     }
     triangles_->Place(robot->index(), {{pose.x, pose.y, 0.0}, FromEuler(0.0, 0.0, pose.yaw)});
   }

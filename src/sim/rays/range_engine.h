@@ -47,7 +47,11 @@ class RangeEngine {
   void Scan(BeamFan& fan, const Pose2& robot, double origin_height, int self,
             std::span<double> ranges) const;
 
-  /// The same, and what is hit. Slower on the planar way, which has to look for it afterwards.
+  /// The same of a scanner on a robot anywhere in space: its origin (m) and how it is turned.
+  void Scan(BeamFan& fan, const Vec3& origin, const Rotation& rotation, int self,
+            std::span<double> ranges) const;
+
+  /// The first, and what is hit. Slower on the planar way, which has to look for it afterwards.
   void ScanHits(BeamFan& fan, const Pose2& robot, double origin_height, int self,
                 std::span<RayHit> hits) const;
 
@@ -65,7 +69,7 @@ class RangeEngine {
   const EmbreeScene& Triangles() const;
   void Build() const;
   bool PlaceRobots() const;
-  void Trace(BeamFan& fan, const Pose2& robot, double origin_height, int self,
+  void Trace(BeamFan& fan, const Vec3& robot, const Rotation& turned, int self,
              std::span<RayHit> hits) const;
   void Identify(BeamFan& fan, const Pose2& robot, double height, int self,
                 std::span<RayHit> hits) const;

@@ -9,6 +9,8 @@
 #include "scene/scenario.h"
 #include "sim/component.h"
 #include "sim/physics/kinematics.h"
+#include "sim/physics/rigid_world.h"
+#include "sim/physics/vehicle.h"
 
 namespace ccmorse::sim {
 
@@ -22,6 +24,21 @@ struct Twist {
   double side = 0.0;  ///< m/s, to the left; only omnidirectional robots have any
 };
 
+/// How fast the wheels of a robot that is driven by two go along the ground, m/s.
+struct WheelSpeeds {
+  double left = 0.0;
+  double right = 0.0;
+};
+
+/// What its actuators want of a dynamic robot in the next step.
+struct Orders {
+  Vec3 force;                         ///< N, world frame, through its origin; of one step
+  Vec3 torque;                        ///< Nm, world frame; of one step
+  bool replaced = false;              ///< it has been put where it is
+  std::optional<WheelSpeeds> wheels;  ///< what drives it; else its command does
+  VehicleControl vehicle;
+};
+
 /// What a run's report says of one robot.
 struct RobotTally {
   double distance = 0.0;       ///< m, path of the robot's origin
@@ -29,8 +46,10 @@ struct RobotTally {
   double stalled = 0.0;        ///< s, spent blocked
 };
 
-/// One robot: its body's state and its devices, which it owns. Kinematic: it has the commanded
-/// speed at once and stops where it touches something (design: Physics). Not thread safe.
+/// One robot: its body's state and its devices, which it owns. A kinematic one has the commanded
+/// speed at once and stops where it touches something; a dynamic one, whose body says so, is moved
+/// by forces (dynamics.h), or, free of them, is where its actuators put it (design: Physics). Not
+/// thread safe.
 class Robot {
  public:
   /// `index` is its place among the simulation's robots, ordered by name.
@@ -43,13 +62,44 @@ class Robot {
   int index() const { return index_; }
 
   const Pose2& pose() const { return pose_; }
-  Vec3 position() const { return {pose_.x, pose_.y, model_.origin_height}; }
+  Vec3 position() const { return {pose_.x, pose_.y, height_}; }
   const Twist& twist() const { return twist_; }  ///< what it really did in the last tick
   bool stalled() const { return stalled_; }      ///< the last tick's motion was blocked
   const RobotTally& tally() const { return tally_; }
 
   /// twist() in the world's frame, m/s: what a physics engine calls the body's linear velocity.
   Vec3 velocity() const;
+  Vec3 spin() const;          ///< rad/s, in the world's frame
+  Rotation rotation() const;  ///< of its frame
+  Vec3 euler() const;         ///< roll, pitch, yaw, rad; the first two are 0 of a kinematic robot
+
+  /// Is it somewhere in space, not on the floor?
+  bool dynamic() const { return dynamics() != nullptr; }
+  /// Is it a dynamic one that forces do not move?
+  bool free() const { return dynamic() && dynamics()->kind == "free"; }
+  const scene::DynamicsDef* dynamics() const {
+    return def_.body && def_.body->dynamics ? &*def_.body->dynamics : nullptr;
+  }
+  /// Of a dynamic robot only: where it is and how it moves.
+  const RigidState& body() const { return body_; }
+  const Vec3& inertia() const { return inertia_; }  ///< kg m^2, about its own axes
+  /// What it touches, sorted, but the ground.
+  const std::vector<Surface>& touches() const { return touches_; }
+
+  // For actuators of a dynamic robot.
+  Orders& orders() { return orders_; }
+  const Orders& orders() const { return orders_; }
+  const Twist& command() const { return command_; }
+  /// Adds a force (N) through its origin and a torque (Nm), in the world's frame, for the next
+  /// step.
+  void Push(const Vec3& force, const Vec3& torque);
+  /// The speeds that its wheels are to have from the next step on.
+  void CommandWheels(const WheelSpeeds& speeds, const Actuator* by);
+  /// Puts it there, with that motion.
+  void PlaceInSpace(const RigidState& state);
+
+  /// What became of a dynamic robot in a step.
+  void Follow(const RigidState& state, std::vector<Surface> touches, const Instant& now);
 
   /// Speeds from the next physics step on, clamped to the model's limits. `by` is the actuator that
   /// drives from now on: where two are mounted, the one commanded last has the robot.
@@ -86,6 +136,8 @@ class Robot {
   const StateHash& hash() const { return hash_; }
 
  private:
+  void PlaceAtStart();
+  void Show();  // of body_ what the plane knows of it
   void Register(std::unique_ptr<Sensor> sensor);
   void Register(std::unique_ptr<Actuator> actuator);
 
@@ -94,6 +146,11 @@ class Robot {
   Footprint footprint_;
   int index_;
   Pose2 pose_;
+  double height_;    // m, of its origin
+  RigidState body_;  // of a dynamic robot
+  Vec3 inertia_;     // kg m^2
+  Orders orders_;
+  std::vector<Surface> touches_;
   Twist command_;
   Twist twist_;
   const Actuator* driver_ = nullptr;

@@ -45,7 +45,12 @@ void LaserScanner::Sample(const Instant& now) {
     ranges_ = mirrored_;
     return DataChanged(now.time);
   }
-  world_.rays().Scan(fan_, robot().pose(), robot().model().origin_height, robot().index(), ranges_);
+  if (robot().dynamic()) {
+    world_.rays().Scan(fan_, robot().position(), robot().rotation(), robot().index(), ranges_);
+  } else {
+    world_.rays().Scan(fan_, robot().pose(), robot().model().origin_height, robot().index(),
+                       ranges_);
+  }
   if (def_.range_std > 0.0) AddNoise(now.tick);
   DataChanged(now.time);
 }
@@ -65,6 +70,7 @@ void LaserScanner::AddNoise(std::uint64_t tick) {
 
 void LaserScanner::Prepare() {
   const double height = robot().model().origin_height + def_.position.z;
+  if (robot().dynamic()) return world_.rays().Prepare();
   if (world_.rays().Choose(fan_, height) == RayPath::kEmbree) world_.rays().Prepare();
 }
 

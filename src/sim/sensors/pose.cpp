@@ -5,6 +5,7 @@
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "sim/robots/robot.h"
+#include "sim/sensors/sensor_motion.h"
 
 namespace ccmorse::sim {
 
@@ -18,6 +19,16 @@ PoseSensor::PoseSensor(Robot& robot, const std::string& name, std::uint64_t seed
 }
 
 void PoseSensor::Read() {
+  if (robot().dynamic()) {
+    const MountPlace here = PlaceOfMount(*this);
+    pose_ = {here.position.x, here.position.y, here.euler.z};
+    z_ = here.position.z;
+    roll_ = here.euler.x;
+    pitch_ = here.euler.y;
+    return;
+  }
+  roll_ = mount_euler().x;
+  pitch_ = mount_euler().y;
   pose_ = robot().pose();
   z_ = robot().position().z;
   const Vec3 at = mount();
@@ -57,10 +68,14 @@ void PoseSensor::AddToHash(StateHash& hash) const {
   hash.Add(pose_.x);
   hash.Add(pose_.y);
   hash.Add(pose_.yaw);
+  if (!robot().dynamic()) return;  // of others the rest does not change
+  hash.Add(z_);
+  hash.Add(roll_);
+  hash.Add(pitch_);
 }
 
 void PoseSensor::AppendNumbers(std::vector<double>& out) const {
-  out.insert(out.end(), {pose_.x, pose_.y, z_, mount_euler().x, mount_euler().y, pose_.yaw});
+  out.insert(out.end(), {pose_.x, pose_.y, z_, roll_, pitch_, pose_.yaw});
 }
 
 void PoseSensor::AppendFields(std::string& out) const {
@@ -68,8 +83,8 @@ void PoseSensor::AppendFields(std::string& out) const {
   AppendField(out, "y", pose_.y);
   AppendField(out, "z", z_);
   AppendField(out, "yaw", pose_.yaw);
-  AppendField(out, "pitch", mount_euler().y);
-  AppendField(out, "roll", mount_euler().x);
+  AppendField(out, "pitch", pitch_);
+  AppendField(out, "roll", roll_);
 }
 
 }  // namespace ccmorse::sim

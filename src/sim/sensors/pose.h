@@ -29,6 +29,8 @@ class PoseSensor : public Sensor {
   scene::PoseNoiseDef deviation_;
   Pose2 pose_;
   double z_ = 0.0;
+  double roll_ = 0.0;
+  double pitch_ = 0.0;
 };
 
 }  // namespace ccmorse::sim

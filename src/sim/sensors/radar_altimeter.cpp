@@ -33,7 +33,12 @@ void RadarAltimeter::Sample(const Instant& now) {
   down.scan_window_deg = down.resolution_deg = 1e-6;
   BeamFan fan(down);
   std::array<double, 2> ranges{};
-  world_.rays().Scan(fan, robot().pose(), robot().model().origin_height, robot().index(), ranges);
+  if (robot().dynamic()) {
+    const Vec3 here = robot().position() + Rotate(robot().rotation(), mount());
+    world_.rays().Scan(fan, here - mount(), Rotation{}, robot().index(), ranges);
+  } else {
+    world_.rays().Scan(fan, robot().pose(), robot().model().origin_height, robot().index(), ranges);
+  }
   z_ = ranges[0] <= max_range_ ? ranges[0] : std::numeric_limits<double>::infinity();
   DataChanged(now.time);
 }
