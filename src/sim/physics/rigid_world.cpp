@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/trig.h"
@@ -108,13 +109,45 @@ class SteppedWorld : public btDiscreteDynamicsWorld {
   }
 };
 
-// The nearest that is not one body.
+// The share of the way to where it enters a box, or more than 1; `normal`: of the side.
+double MeetBox(const btRigidBody& body, const btVector3& half, const btVector3& from,
+               const btVector3& to, btVector3& normal) {
+  const btTransform back = body.getWorldTransform().inverse();
+  const btVector3 start = back(from);
+  const btVector3 way = back(to) - start;
+  double enters = -1.0;
+  double leaves = 2.0;
+  int side = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (way[axis] == 0.0) {
+      if (std::fabs(start[axis]) > half[axis]) return 2.0;
+      continue;
+    }
+    const double near = ((way[axis] > 0.0 ? -half[axis] : half[axis]) - start[axis]) / way[axis];
+    const double far = ((way[axis] > 0.0 ? half[axis] : -half[axis]) - start[axis]) / way[axis];
+    if (near > enters) {
+      enters = near;
+      side = axis;
+    }
+    leaves = std::fmin(leaves, far);
+  }
+  if (enters < 0.0 || enters > leaves) return 2.0;
+  normal = body.getWorldTransform().getBasis().getColumn(side) * (way[side] > 0.0 ? -1.0 : 1.0);
+  return enters;
+}
+
+// The nearest that is not one body, nor a box that stands: of these Bullet's rays are some
+// centimetres wrong, and ours are not.
 class Nearest : public btCollisionWorld::ClosestRayResultCallback {
  public:
   Nearest(const btVector3& from, const btVector3& to, const btCollisionObject* self)
       : ClosestRayResultCallback(from, to), self_(self) {}
   bool needsCollision(btBroadphaseProxy* proxy) const override {
-    return proxy->m_clientObject != self_ && ClosestRayResultCallback::needsCollision(proxy);
+    if (proxy->m_clientObject == self_) return false;
+    const auto* const object = static_cast<const btCollisionObject*>(proxy->m_clientObject);
+    const bool standing_box = object->isStaticObject() &&
+                              object->getCollisionShape()->getShapeType() == BOX_SHAPE_PROXYTYPE;
+    return !standing_box && ClosestRayResultCallback::needsCollision(proxy);
   }
 
  private:
@@ -130,6 +163,7 @@ struct RigidWorld::State {
     std::unique_ptr<btTriangleMesh> triangles;
     std::unique_ptr<btRigidBody> body;
     Surface name;
+    std::optional<btVector3> half;  // m, of a box that stands
   };
 
   explicit State(double gravity)
@@ -157,6 +191,9 @@ struct RigidWorld::State {
       case RigidShape::Kind::kCylinder:
         made =
             std::make_unique<btCylinderShape>(btVector3(shape.half.x, shape.half.y, shape.half.x));
+        // Round all over its width, so that a wheel touches the ground beneath its middle, and not
+        // now here and now there between its edges, which would steer it.
+        made->setMargin(std::fmin(shape.half.y, 0.9 * shape.half.x));
         break;
       case RigidShape::Kind::kBall:
         made = std::make_unique<btSphereShape>(shape.half.x);
@@ -231,6 +268,7 @@ void RigidWorld::AddGround(double friction) {
   auto thing = std::make_unique<State::Thing>();
   thing->shapes.push_back(
       std::make_unique<btBoxShape>(btVector3(kBreadth, kBreadth, 0.5 * kDepth)));
+  thing->half = btVector3(kBreadth, kBreadth, 0.5 * kDepth);
   thing->name = {HitKind::kFloor, 0, 0};
   state_->Stand(std::move(thing),
                 btTransform(btMatrix3x3::getIdentity(), btVector3(0.0, 0.0, -0.5 * kDepth)),
@@ -241,6 +279,7 @@ void RigidWorld::AddFixedBox(const Vec3& half, const Vec3& centre, double yaw, d
                              const Surface& name) {
   auto thing = std::make_unique<State::Thing>();
   thing->shapes.push_back(std::make_unique<btBoxShape>(Vector(half)));
+  thing->half = Vector(half);
   thing->name = name;
   state_->Stand(std::move(thing), btTransform(Matrix(FromEuler(0.0, 0.0, yaw)), Vector(centre)),
                 friction);
@@ -355,10 +394,20 @@ void RigidWorld::SetMotor(Joint axle, double speed, double impulse) {
 }
 
 RigidWorld::Hit RigidWorld::Cast(const Vec3& from, const Vec3& to, Body self) const {
+  Hit hit;
   Nearest nearest(Vector(from), Vector(to), &state_->At(self));
   state_->world.rayTest(Vector(from), Vector(to), nearest);
-  if (!nearest.hasHit()) return {};
-  return {true, nearest.m_closestHitFraction, Vector(nearest.m_hitNormalWorld)};
+  if (nearest.hasHit()) {
+    hit = {true, nearest.m_closestHitFraction, Vector(nearest.m_hitNormalWorld)};
+  }
+  for (const auto& thing : state_->fixed) {
+    if (!thing->half) continue;
+    btVector3 normal;
+    const double share = MeetBox(*thing->body, *thing->half, Vector(from), Vector(to), normal);
+    if (share > 1.0 || (hit.any && share >= hit.share)) continue;
+    hit = {true, share, Vector(normal)};
+  }
+  return hit;
 }
 
 void RigidWorld::Step(double seconds) { state_->world.Step(seconds); }
