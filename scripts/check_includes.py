@@ -54,6 +54,9 @@ HEAVY = {
     "boost/": r"src/(servers|in_process|client/core)/.*|src/tools/stop_signals\.(h|cpp)"
               r"|src/bench/view_bench\.cpp",
     "embree3/": r"src/sim/rays/embree_scene\.cpp|src/bench/embree_bench\.cpp",
+    "btBullet": r"src/sim/physics/rigid_world\.cpp",
+    "Bullet": r"src/sim/physics/rigid_world\.cpp",
+    "LinearMath/": r"src/sim/physics/rigid_world\.cpp",
     "CLI/": r"src/tools/(main\.cpp|\w+_command\.cpp|(command_line|morse_options)\.(h|cpp))",
     "zip.h": r"src/tools/zip_archive\.cpp",
     "spdlog/": r"src/base/log\.cpp",

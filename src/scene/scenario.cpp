@@ -41,6 +41,7 @@ constexpr int kMostBeams = 100000;  // of all layers
 constexpr std::size_t kMostMounts = 1000;
 constexpr std::size_t kMostHullCorners = 64;
 constexpr std::size_t kMostCorners = 16;  // of a footprint: what the simulator moves at once
+constexpr std::size_t kMostWheels = 16;
 constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max();
 
 // Player's interfaces and what of a robot can serve them (thesis 4.1.2).
@@ -430,6 +431,76 @@ void ReadModel(const Field& field, bool has_footprint, BodyDef& body) {
   }
 }
 
+WheelDef ReadWheel(const Field& field) {
+  static const std::vector<std::string> drives = {"left", "right", "free", "ball"};
+  ObjectReader reader(field);
+  WheelDef wheel;
+  wheel.position = reader.Vector("position", wheel.position, kFarthest);
+  wheel.radius = reader.Number("radius", wheel.radius, {0.0, kFarthest, true});
+  wheel.width = reader.Number("width", wheel.width, {0.0, kFarthest, true});
+  wheel.mass = reader.Number("mass", wheel.mass, {0.0, 1e6, true});
+  wheel.friction = reader.Number("friction", wheel.friction, {0.0, 1000.0});
+  wheel.linear_damping = reader.Number("linear_damping", wheel.linear_damping, {0.0, 1.0});
+  wheel.angular_damping = reader.Number("angular_damping", wheel.angular_damping, {0.0, 1.0});
+  wheel.drive = reader.Choice("drive", "free", drives);
+  reader.Finish();
+  return wheel;
+}
+
+VehicleDef ReadVehicle(const Field& field) {
+  ObjectReader reader(field);
+  VehicleDef vehicle;
+  vehicle.front = reader.Number("front", vehicle.front, {-kFarthest, kFarthest});
+  vehicle.rear = reader.Number("rear", vehicle.rear, {-kFarthest, kFarthest});
+  vehicle.half_track = reader.Number("half_track", vehicle.half_track, {0.0, kFarthest, true});
+  vehicle.height = reader.Number("height", vehicle.height, {-kFarthest, kFarthest});
+  vehicle.wheel_radius =
+      reader.Number("wheel_radius", vehicle.wheel_radius, {0.0, kFarthest, true});
+  vehicle.rest_length = reader.Number("rest_length", vehicle.rest_length, {0.0, kFarthest, true});
+  vehicle.stiffness = reader.Number("stiffness", vehicle.stiffness, {0.0, 1e4});
+  vehicle.damping = reader.Number("damping", vehicle.damping, {0.0, 100.0});
+  vehicle.compression = reader.Number("compression", vehicle.compression, {0.0, 100.0});
+  vehicle.friction = reader.Number("friction", vehicle.friction, {0.0, 1e4});
+  vehicle.roll_influence = reader.Number("roll_influence", vehicle.roll_influence, {0.0, 1.0});
+  reader.Finish();
+  return vehicle;
+}
+
+DynamicsDef ReadDynamics(const Field& field) {
+  static const std::vector<std::string> kinds = {"rigid", "free"};
+  ObjectReader reader(field);
+  DynamicsDef def;
+  def.kind = reader.Choice("kind", def.kind, kinds);
+  def.bottom = reader.Number("bottom", def.bottom, {-kFarthest, kFarthest});
+  def.top = reader.Number("top", std::max(def.top, def.bottom + 0.5), {-kFarthest, kFarthest});
+  if (def.top <= def.bottom) reader.Require("top").FailHere("must be above 'bottom'");
+  def.friction = reader.Number("friction", def.friction, {0.0, 1000.0});
+  def.linear_damping = reader.Number("linear_damping", def.linear_damping, {0.0, 1.0});
+  def.angular_damping = reader.Number("angular_damping", def.angular_damping, {0.0, 1.0});
+  def.gravity = reader.Bool("gravity", def.gravity);
+  def.ground = reader.Bool("ground", def.ground);
+  def.roll = reader.Angle("roll", def.roll);
+  def.pitch = reader.Angle("pitch", def.pitch);
+  def.turning_track = reader.Number("turning_track", def.turning_track, {0.0, kFarthest});
+  if (reader.Has("wheels")) {
+    for (const Field& wheel : reader.Require("wheels").Items()) {
+      def.wheels.push_back(ReadWheel(wheel));
+    }
+    if (def.wheels.size() > kMostWheels) {
+      reader.Require("wheels").FailHere(
+          fmt::format("has {} wheels, must have at most {}", def.wheels.size(), kMostWheels));
+    }
+  }
+  if (reader.Has("vehicle")) {
+    def.vehicle = ReadVehicle(reader.Require("vehicle"));
+    if (!def.wheels.empty()) {
+      reader.Require("vehicle").FailHere("has wheels of its own; remove it or 'wheels'");
+    }
+  }
+  reader.Finish();
+  return def;
+}
+
 BodyDef ReadBody(const Field& field) {
   static const std::vector<std::string> drives = {"diff", "omni", "car"};
   ObjectReader reader(field);
@@ -466,6 +537,7 @@ BodyDef ReadBody(const Field& field) {
   }
   body.max_turn_rate = reader.Number("max_turn_rate", body.max_turn_rate, {0.0, kFastest, true});
   body.origin_height = reader.Number("origin_height", body.origin_height, {0.0, kFarthest});
+  if (reader.Has("dynamics")) body.dynamics = ReadDynamics(reader.Require("dynamics"));
   reader.Finish();
   return body;
 }
@@ -760,6 +832,16 @@ GeodesyDef ReadGeodesy(const Field& field) {
   return geodesy;
 }
 
+PhysicsDef ReadPhysics(const Field& field) {
+  ObjectReader reader(field);
+  PhysicsDef physics;
+  physics.gravity = reader.Number("gravity", physics.gravity, {0.0, 1000.0});
+  physics.substeps = reader.Integer("substeps", physics.substeps, 1, 20);
+  physics.friction = reader.Number("friction", physics.friction, {0.0, 1000.0});
+  reader.Finish();
+  return physics;
+}
+
 // A robot of type Custom says itself what the model of another type would.
 void ReadCustom(ObjectReader& reader, RobotDef& robot) {
   robot.body = ReadBody(reader.Require("body"));
@@ -815,6 +897,8 @@ std::vector<Vec2> Outline(const RobotDef& robot) {
   return outline;
 }
 
+bool IsDynamic(const RobotDef& robot) { return robot.body && robot.body->dynamics; }
+
 // A piece of a mesh that a robot could stand in.
 struct MeshPart {
   const Mesh* mesh;
@@ -847,6 +931,7 @@ std::vector<MeshPart> PartsOfMeshes(const World& world) {
 std::string ProblemOfPlace(const Scenario& scenario, const std::vector<MeshPart>& mesh_parts,
                            std::size_t index) {
   const RobotDef& robot = scenario.robots[index];
+  if (IsDynamic(robot)) return "";  // it falls to where it stands, and is pushed out of the way
   const std::string who =
       fmt::format("robot '{}' at ({}, {})", robot.name, robot.pose.x, robot.pose.y);
   const std::vector<Vec2> outline = Outline(robot);
@@ -885,7 +970,7 @@ std::string ProblemOfPlace(const Scenario& scenario, const std::vector<MeshPart>
   }
   for (std::size_t i = 0; i < index; ++i) {
     const RobotDef& other = scenario.robots[i];
-    if (ConvexOverlap(outline, Outline(other))) {
+    if (!IsDynamic(other) && ConvexOverlap(outline, Outline(other))) {
       return fmt::format("{} overlaps robot '{}' at ({}, {}); move one of them", who, other.name,
                          other.pose.x, other.pose.y);
     }
@@ -1031,6 +1116,7 @@ Scenario ReadScenario(const Json& json, const std::string& file) {
     }
   }
   if (reader.Has("geodesy")) scenario.geodesy = ReadGeodesy(reader.Require("geodesy"));
+  if (reader.Has("physics")) scenario.physics = ReadPhysics(reader.Require("physics"));
   if (reader.Has("obstacles")) {
     scenario.obstacles = ReadObstacles(reader.Require("obstacles"), scenario.world);
   }
@@ -1093,6 +1179,49 @@ Json OutlineToJson(const std::vector<Vec2>& outline) {
   return corners;
 }
 
+Json DynamicsToJson(const DynamicsDef& def) {
+  Json::Object object = {{"kind", def.kind},
+                         {"bottom", def.bottom},
+                         {"top", def.top},
+                         {"friction", def.friction},
+                         {"linear_damping", def.linear_damping},
+                         {"angular_damping", def.angular_damping},
+                         {"gravity", def.gravity},
+                         {"ground", def.ground},
+                         {"roll", def.roll},
+                         {"pitch", def.pitch},
+                         {"turning_track", def.turning_track}};
+  if (!def.wheels.empty()) {
+    Json::Array wheels;
+    for (const WheelDef& wheel : def.wheels) {
+      wheels.emplace_back(Json::Object{{"position", VectorToJson(wheel.position)},
+                                       {"radius", wheel.radius},
+                                       {"width", wheel.width},
+                                       {"mass", wheel.mass},
+                                       {"friction", wheel.friction},
+                                       {"linear_damping", wheel.linear_damping},
+                                       {"angular_damping", wheel.angular_damping},
+                                       {"drive", wheel.drive}});
+    }
+    object.emplace_back("wheels", std::move(wheels));
+  }
+  if (def.vehicle) {
+    const VehicleDef& vehicle = *def.vehicle;
+    object.emplace_back("vehicle", Json::Object{{"front", vehicle.front},
+                                                {"rear", vehicle.rear},
+                                                {"half_track", vehicle.half_track},
+                                                {"height", vehicle.height},
+                                                {"wheel_radius", vehicle.wheel_radius},
+                                                {"rest_length", vehicle.rest_length},
+                                                {"stiffness", vehicle.stiffness},
+                                                {"damping", vehicle.damping},
+                                                {"compression", vehicle.compression},
+                                                {"friction", vehicle.friction},
+                                                {"roll_influence", vehicle.roll_influence}});
+  }
+  return object;
+}
+
 Json BodyToJson(const BodyDef& body) {
   Json::Array hull;
   for (const HullPart& part : body.hull) {
@@ -1108,6 +1237,7 @@ Json BodyToJson(const BodyDef& body) {
                          {"max_side_speed", body.max_side_speed},
                          {"max_turn_rate", body.max_turn_rate},
                          {"origin_height", body.origin_height}};
+  if (body.dynamics) object.emplace_back("dynamics", DynamicsToJson(*body.dynamics));
   if (body.flies) object.emplace_back("flies", true);
   if (!body.shape.empty()) object.emplace_back("shape", ShapeToJson(body.shape));
   return object;
@@ -1269,13 +1399,42 @@ std::vector<std::string> PlaceProblems(const Scenario& scenario) {
 }
 
 const std::vector<std::string>& ComponentTypes() {
-  static const std::vector<std::string> types = {
-      "Accelerometer",  "Airspeed",        "Attitude",    "Barometer",    "Battery",
-      "Clock",          "Collision",       "Destination", "GPS",          "Gyroscope",
-      "LaserScanner",   "Light",           "MotionVW",    "MotionVWDiff", "MotionXYW",
-      "Odometry",       "Orientation",     "Pen",         "Pose",         "Proximity",
-      "RadarAltimeter", "RobotProperties", "Sound",       "Teleport",     "Thermometer",
-      "Velocity",       "Waypoint"};
+  static const std::vector<std::string> types = {"Accelerometer",
+                                                 "Airspeed",
+                                                 "Attitude",
+                                                 "Barometer",
+                                                 "Battery",
+                                                 "Clock",
+                                                 "Collision",
+                                                 "Destination",
+                                                 "Drag",
+                                                 "ExternalForce",
+                                                 "ForceTorque",
+                                                 "GPS",
+                                                 "Gyroscope",
+                                                 "LaserScanner",
+                                                 "Light",
+                                                 "MotionVW",
+                                                 "MotionVWDiff",
+                                                 "MotionXYW",
+                                                 "Odometry",
+                                                 "Orientation",
+                                                 "Pen",
+                                                 "Pose",
+                                                 "Proximity",
+                                                 "QuadrotorDynamicControl",
+                                                 "RadarAltimeter",
+                                                 "RobotProperties",
+                                                 "RotorcraftAttitude",
+                                                 "RotorcraftVelocity",
+                                                 "RotorcraftWaypoint",
+                                                 "Sound",
+                                                 "StabilizedQuadrotor",
+                                                 "SteerForce",
+                                                 "Teleport",
+                                                 "Thermometer",
+                                                 "Velocity",
+                                                 "Waypoint"};
   return types;
 }
 
@@ -1350,6 +1509,11 @@ Json ToJson(const Scenario& scenario) {
     object.emplace_back("zones", std::move(zones));
   }
   if (scenario.geodesy) object.emplace_back("geodesy", GeodesyToJson(*scenario.geodesy));
+  if (scenario.physics) {
+    object.emplace_back("physics", Json::Object{{"gravity", scenario.physics->gravity},
+                                                {"substeps", scenario.physics->substeps},
+                                                {"friction", scenario.physics->friction}});
+  }
   if (scenario.player) object.emplace_back("player", PlayerSetupToJson(*scenario.player));
   if (scenario.multinode) object.emplace_back("multinode", MultinodeToJson(*scenario.multinode));
   return object;

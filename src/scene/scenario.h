@@ -137,6 +137,57 @@ struct HullPart {
   double top = 0.0;           ///< m above the floor
 };
 
+/// A wheel of a dynamic robot: a body of its own, held by the robot's (specs: morse.md H.1).
+struct WheelDef {
+  Vec3 position;                 ///< m, of its middle in the robot's frame
+  double radius = 0.1;           ///< m, > 0
+  double width = 0.05;           ///< m, > 0, along the robot's y
+  double mass = 1.0;             ///< kg, > 0
+  double friction = 0.5;         ///< >= 0, multiplied by that of the ground
+  double linear_damping = 0.04;  ///< share of its speed that it loses in a second, 0..1
+  double angular_damping = 0.1;  ///< likewise
+  std::string drive;  ///< "left" or "right": by a motor; "free": it rolls; "ball": a caster
+};
+
+/// Springs, rays for wheels and forces where they touch the ground, as Bullet's vehicles have them:
+/// what SteerForce drives (specs: morse.md H.1, Hummer). Two wheels in front, which steer, two
+/// behind.
+struct VehicleDef {
+  double front = 1.0;            ///< m from the robot's origin forwards, of the front axle
+  double rear = -1.0;            ///< m, of the rear axle
+  double half_track = 0.5;       ///< m from the middle to a wheel, > 0
+  double height = 0.0;           ///< m, of where springs are fixed, in the robot's frame
+  double wheel_radius = 0.5;     ///< m, > 0
+  double rest_length = 0.3;      ///< m, of a spring without load, > 0
+  double stiffness = 15.0;       ///< N/m a kg of the robot, >= 0
+  double damping = 10.0;         ///< Ns/m a kg of the robot, of a spring that stretches, >= 0
+  double compression = 2.0;      ///< likewise, of one that is pressed together
+  double friction = 200.0;       ///< most of a wheel's force along the ground, of its load, >= 0
+  double roll_influence = 0.05;  ///< 0: forces sideways do not roll the robot, to 1: as they are
+};
+
+/// A body that forces move: how MORSE's robots are in Blender's game engine (design: Physics;
+/// specs: morse.md H).
+struct DynamicsDef {
+  /// "rigid": moved by Bullet; "free": without physics, but anywhere in space, where its actuators
+  /// put it.
+  std::string kind = "rigid";
+  double bottom = 0.0;           ///< m, of what touches, in the robot's frame
+  double top = 0.5;              ///< m, > bottom, likewise
+  double friction = 0.5;         ///< >= 0, multiplied by that of what it touches
+  double linear_damping = 0.04;  ///< share of its speed that it loses in a second, 0..1
+  double angular_damping = 0.1;  ///< likewise
+  /// False: it is pushed up by as many newtons as gravity has m/s^2, which is its weight where its
+  /// mass is 1 kg (MORSE's NoGravity).
+  bool gravity = true;
+  bool ground = false;           ///< commands leave its fall and its tilt alone (GroundRobot)
+  double roll = 0.0;             ///< rad, at the start
+  double pitch = 0.0;            ///< rad, likewise
+  double turning_track = 0.0;    ///< m, what MORSE calls FixTurningSpeed; 0: its wheels' track
+  std::vector<WheelDef> wheels;  ///< none: it slides
+  std::optional<VehicleDef> vehicle;
+};
+
 /// The body of a robot of type "Custom": what a model of robots.h says of the others.
 struct BodyDef {
   std::vector<HullPart> hull;   ///< what scanners of others see: 0 or more of 3..64 corners
@@ -147,11 +198,12 @@ struct BodyDef {
   double max_speed = 1.0;       ///< m/s, > 0; commands are clamped to it
   double max_side_speed = 0.0;  ///< m/s, >= 0; more than 0 only for "omni"
   double max_turn_rate = 1.5;   ///< rad/s, > 0; commands are clamped to it
-  double origin_height = 0.0;   ///< m above the floor, >= 0: where the robot's frame lies
+  double origin_height = 0.0;  ///< m above the floor, >= 0: where the robot's frame lies, or starts
   /// What viewers show in place of the hull, in the robot's own frame; empty: the hull. Nothing
   /// touches it and no sensor sees it: that is what the hull is for.
   std::vector<Mesh> shape;
   bool flies = false;  ///< stays at its height where others follow the ground (World::terrain)
+  std::optional<DynamicsDef> dynamics;  ///< of a dynamic robot; all others are kinematic
 };
 
 /// What a robot's odometry reports (specs: player.md C.3, localization "odom").
@@ -320,6 +372,13 @@ struct MultinodeDef {
   std::map<std::string, std::vector<std::string>> nodes;  ///< name -> its robots
 };
 
+/// What moves dynamic robots (specs: morse.md H.2).
+struct PhysicsDef {
+  double gravity = 9.81;  ///< m/s^2 downwards, 0..1000
+  int substeps = 2;       ///< of a tick, 1..20; of less than 60 Hz there are as many more
+  double friction = 0.5;  ///< of the ground and of what stands, >= 0
+};
+
 /// What is done to dynamic boxes at once (thesis 5.1: the arena controller): first the preset, then
 /// the lists.
 struct ObstacleAction {
@@ -376,6 +435,7 @@ struct Scenario {
   std::vector<PropDef> props;
   std::vector<ZoneDef> zones;
   std::optional<GeodesyDef> geodesy;  ///< where it is said
+  std::optional<PhysicsDef> physics;  ///< where it is said
   ObstacleRules obstacles;
   std::vector<RobotDef> robots;
   CanvasDef canvas;

@@ -37,6 +37,10 @@ Simulation::Simulation(scene::Scenario scenario, int threads, bool share_all)
   std::vector<const Robot*> seen;
   for (const auto& robot : robots_) seen.push_back(robot.get());
   world_.SetRobots(seen);
+  if (std::any_of(robots_.begin(), robots_.end(), [](const auto& one) { return one->dynamic(); })) {
+    dynamics_.emplace(world_, robots_, scenario_.physics.value_or(scene::PhysicsDef{}),
+                      scenario_.time.frequency);
+  }
   for (const auto& robot : robots_) {
     Equip(*robot, scenario_, world_, canvas_);
     for (const auto& component : robot->components()) components_.push_back(component.get());
@@ -95,6 +99,7 @@ void Simulation::Act() {
   if (before_motion_) before_motion_();
   if (physics_) {
     motion_->Step(now, pool_);
+    if (dynamics_) dynamics_->Step(now);
     world_.RobotsMoved();
     arena_->Step(now);
   }
@@ -119,6 +124,7 @@ Component* Simulation::FindComponent(std::string_view full_name) const {
 void Simulation::ResetObjects() {
   for (const auto& robot : robots_) robot->Reset();
   arena_->Reset();
+  if (dynamics_) dynamics_->Reset();
   world_.RobotsMoved();
 }
 

@@ -13,6 +13,7 @@
 #include "sim/arena_controller.h"
 #include "sim/canvas.h"
 #include "sim/component.h"
+#include "sim/physics/dynamics.h"
 #include "sim/physics/fleet_motion.h"
 #include "sim/robots/robot.h"
 #include "sim/worker_pool.h"
@@ -90,6 +91,7 @@ class Simulation {
   WorkerPool pool_;
   std::int64_t shared_from_;  // work of a tick's sensors, Sensor::Work()
   std::optional<FleetMotion> motion_;
+  std::optional<Dynamics> dynamics_;  // where a robot is dynamic
   std::optional<ArenaController> arena_;
   std::function<void()> before_motion_;
   std::uint64_t tick_ = 0;

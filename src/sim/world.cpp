@@ -115,8 +115,13 @@ void World::CutRobots() const {
   for (const auto& cut : cuts_) {
     cut->robots.Clear();
     for (const Robot* robot : robots_) {
+      // How much higher than at the start; of a dynamic robot that is tilted the cut is as if it
+      // were not.
+      const double risen =
+          robot->dynamic() ? robot->position().z - robot->model().origin_height : 0.0;
       for (const scene::HullPart& part : robot->model().hull) {
-        if (cut->height < part.bottom || cut->height >= part.top) continue;
+        const double height = cut->height - risen;
+        if (height < part.bottom || height >= part.top) continue;
         hull_.resize(part.outline.size());
         Place(part.outline, robot->pose(), hull_);
         cut->robots.Add(hull_, robot->index());

@@ -41,6 +41,7 @@ class Environment(AbstractComponent):
         self._camera = {}
         self._gravity = 9.81
         self._physics_step_sub = 2
+        self._gravity_place = self._step_sub_place = None
         self._relative_time = False
         self._internal_syncer = False
         self._multinode = None
@@ -158,8 +159,18 @@ class Environment(AbstractComponent):
 
     def set_physics_step_sub(self, step_sub):
         self._physics_step_sub = step_sub
-        if step_sub != 2:
-            places.note("set_physics_step_sub() has no effect: robots move exactly")
+        self._step_sub_place = places.user_place()
+
+    def physics(self, matters):
+        """What the scene says of physics; they matter where forces move a robot."""
+        if not matters:
+            if self._gravity != 9.81:
+                places.note("set_gravity() has no effect: robots stay on the ground",
+                            self._gravity_place)
+            if self._physics_step_sub != 2:
+                places.note("set_physics_step_sub() has no effect: robots move exactly",
+                            self._step_sub_place)
+        return {"gravity": self._gravity, "substeps": max(1, min(20, int(self._physics_step_sub)))}
 
     def frequency(self, frequency=None):
         """Ticks a simulated second, Hz: the same as simulator_frequency()."""
@@ -252,8 +263,7 @@ class Environment(AbstractComponent):
         """m/s^2, downwards; only a float counts, as in MORSE."""
         if isinstance(gravity, float):
             self._gravity = gravity
-            if gravity != 9.81:
-                places.note("set_gravity() has no effect: robots stay on the ground")
+            self._gravity_place = places.user_place()
 
     def set_debug(self, debug=True):
         logging.getLogger().setLevel(logging.DEBUG if debug else logging.INFO)

@@ -90,6 +90,7 @@ class Robot(Component):
         self.default_interfaces = []
         self.mass = None
         self.friction = None
+        self.asked_for_physics = False
         self.external = False
         self.ghost = None
         if name:
@@ -119,6 +120,7 @@ class Robot(Component):
 
     def set_friction(self, friction=0.0):
         self.friction = friction
+        self.asked_for_physics = True
 
     def set_mass(self, mass):
         """kg."""
@@ -142,9 +144,11 @@ class Robot(Component):
         self.set_no_collision()
 
     def set_rigid_body(self):
+        self.asked_for_physics = True
         self._bpy_object.game.physics_type = "RIGID_BODY"
 
     def set_dynamic(self):
+        self.asked_for_physics = True
         self._bpy_object.game.physics_type = "DYNAMIC"
 
     def set_no_collision(self):

@@ -20,6 +20,9 @@ _AROUND = 5.0  # m of floor around a robot that stands beside it
 _GEODESY = ("longitude", "latitude", "altitude", "angle_against_north")
 _SYNC_PORT = 6000  # of time_sync, where a script names none
 _SIDEWAYS = ("Destination", "MotionXYW")  # components that take their robot in any direction
+# Components that push their robot, which for them is a body that forces move.
+_BY_FORCES = ("Drag", "ExternalForce", "ForceTorque", "QuadrotorDynamicControl",
+              "RotorcraftAttitude", "RotorcraftVelocity", "RotorcraftWaypoint", "SteerForce")
 # Properties that the builder itself sets.
 _OF_THE_BUILDER = {"classpath", "robot_tag", "component_tag", "abstraction_level"}
 _STRATEGIES = {TimeStrategies.BestEffort: "best_effort",
@@ -41,6 +44,10 @@ def build():
               if isinstance(item, Robot) and item.parent is None]
     names = {}
     scene = {"robots": [_robot(robot, names) for robot in robots]}
+    dynamic = any("dynamics" in robot.get("body", {}) for robot in scene["robots"])
+    physics = environment.physics(dynamic)
+    if dynamic:
+        scene["physics"] = physics
     scene.update(_world(environment, scene["robots"]))
     props = [_prop(item) for item in AbstractComponent.components
              if isinstance(item, PassiveObject) and not item.is_canvas]
@@ -129,7 +136,7 @@ def _robot(robot, names):
     if not all(math.isfinite(value) for value in (x, y, z, yaw)):
         raise SceneError("%s, made in line %d, has no place: (%s, %s, %s)" %
                          (robot.name, robot.place[1], x, y, z))
-    if abs(roll) > 1e-6 or abs(pitch) > 1e-6:
+    if (abs(roll) > 1e-6 or abs(pitch) > 1e-6) and not _by_forces(robot):
         places.note("%s stands upright: its roll and pitch are not simulated" % robot.name,
                     robot.place)
     yaw -= 2.0 * math.pi * round(yaw / (2.0 * math.pi))  # as sensors have it
@@ -190,8 +197,12 @@ def _body(robot, entry, z):
     if robot._bpy_object.game.physics_type == "NO_COLLISION":
         # Nothing touches it, as nearly as may be.
         footprint = [[_POINT, -_POINT], [_POINT, _POINT], [-_POINT, _POINT], [-_POINT, -_POINT]]
-    # What stands on the ground comes to rest on it; what flies stays where it was put.
+    # What stands on the ground comes to rest on it; what flies stays where it was put, and so does
+    # at first what forces move.
+    by_forces = _by_forces(robot)
     height = entry["rest"] if entry["rest"] is not None else max(0.0, z)
+    if by_forces:
+        height = max(height, z)
     hull = []
     if entry["z"] is not None and robot.ghost is None:
         bottom = max(0.0, height + entry["z"][0] * scale[2])
@@ -200,9 +211,49 @@ def _body(robot, entry, z):
             hull = [{"outline": corners, "bottom": bottom, "top": top}]
     if entry["rest"] is None and z < 0.0:
         places.note("%s is beneath the ground: it is put on it" % robot.name, robot.place)
-    return {"footprint": footprint, "hull": hull, "origin_height": height,
-            "mass": robot.mass if robot.mass else entry["mass"], "drive": "diff",
-            "max_speed": _FASTEST, "max_turn_rate": _FASTEST}
+    result = {"footprint": footprint, "hull": hull, "origin_height": height,
+              "mass": robot.mass if robot.mass else entry["mass"], "drive": "diff",
+              "max_speed": _FASTEST, "max_turn_rate": _FASTEST}
+    if by_forces:
+        result["dynamics"] = _dynamics(robot, entry)
+    return result
+
+
+def _simulated_types(parent):
+    for component in parent.children:
+        if component._bpy_object is not None:
+            yield simulated_type(component)
+            yield from _simulated_types(component)
+
+
+def _by_forces(robot):
+    """Do forces move it, or StabilizedQuadrotor in space? Else it goes as it is told."""
+    types = set(_simulated_types(robot))
+    entry = robot.body_entry() or {}
+    if entry.get("type"):
+        return False
+    return (robot.asked_for_physics or "StabilizedQuadrotor" in types or
+            not types.isdisjoint(_BY_FORCES) or
+            ("MotionVWDiff" in types and bool(entry.get("dynamics", {}).get("wheels"))))
+
+
+def _dynamics(robot, entry):
+    """The constants of MORSE (specs: H.1), and what the script says itself."""
+    result = dict(entry.get("dynamics", {}))
+    free = (robot._bpy_object.game.physics_type in ("NO_COLLISION", "STATIC") or
+            "StabilizedQuadrotor" in _simulated_types(robot))
+    result["kind"] = "free" if free else "rigid"
+    low, high = entry["z"] if entry["z"] is not None else (-_POINT, _POINT)
+    # The origin comes to rest where the model's is.
+    bottom = result.get("bottom", low if entry["rest"] is None else -entry["rest"])
+    result["bottom"], result["top"] = bottom * robot.scale[2], high * robot.scale[2]
+    if robot.friction is not None:
+        result["friction"] = float(robot.friction)
+    result["gravity"] = not robot.property_value("NoGravity")
+    result["ground"] = bool(robot.property_value("GroundRobot"))
+    result["roll"], result["pitch"] = robot.rotation_euler[0], robot.rotation_euler[1]
+    result["turning_track"] = float(robot.property_value("FixTurningSpeed") or 0.0)
+    return result
 
 
 def _hex(paint):

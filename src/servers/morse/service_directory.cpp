@@ -613,7 +613,7 @@ void ServiceDirectory::AddObjectServices() {
     const std::string& name = sim::StringArgument(arguments, 0, "object_name");
     const bool state = BoolArgument(arguments, 1, "state");
     known(name);
-    if (sim::Robot* const robot = simulation_.FindRobot(name)) robot->set_dynamics(state);
+    if (sim::Robot* const robot = simulation_.FindRobot(name)) robot->set_held(!state);
     return Json(state);
   });
 }
@@ -755,6 +755,17 @@ void ServiceDirectory::PlaceObject(Arguments arguments) {
       throw ServiceFailed("Object '" + name + "' is part of the world and cannot be moved");
     }
     throw ServiceFailed("Object '" + name + "' does not appear in the scene.");
+  }
+  if (robot->dynamic()) {
+    // Anywhere in space: what it overlaps there pushes it out.
+    const Vec3 euler =
+        arguments.size() > 2 ? PointArgument(arguments, 2, "orientation") : robot->euler();
+    if (std::fabs(position.z) > kFarthest) {
+      throw WrongArgument("position must lie within 1000 m of the origin");
+    }
+    robot->PlaceInSpace({position, FromEuler(euler.x, euler.y, euler.z), {}, {}});
+    simulation_.world().RobotsMoved();
+    return;
   }
   const double yaw =
       arguments.size() > 2 ? PointArgument(arguments, 2, "orientation").z : robot->pose().yaw;

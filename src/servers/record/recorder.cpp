@@ -310,11 +310,12 @@ std::uint64_t Recorder::Now() const {
 void Recorder::WriteTransforms() {
   Json::Array transforms;
   for (const auto& robot : simulation_.robots()) {
+    const Vec3 euler = robot->euler();
     transforms.push_back(Json::Object{{"timestamp", TimeJson(Now())},
                                       {"parent_frame_id", kWorldFrame},
                                       {"child_frame_id", robot->name()},
                                       {"translation", VectorJson(robot->position())},
-                                      {"rotation", RotationJson(0.0, 0.0, robot->pose().yaw)}});
+                                      {"rotation", RotationJson(euler.x, euler.y, euler.z)}});
   }
   writer_->Write(transforms_, Now(),
                  Json(Json::Object{{"transforms", std::move(transforms)}}).Dump());

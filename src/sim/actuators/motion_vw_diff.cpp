@@ -25,7 +25,24 @@ void MotionVWDiff::SetSpeed(double v, double w) {
   speed_ = {v, w};
   DataChanged(timestamp());
   const bool stop = std::fabs(v) < kStop && std::fabs(w) < kStop;
-  robot().Command(stop ? Twist{} : speed_, this);
+  const scene::DynamicsDef* const dynamics = robot().dynamics();
+  if (dynamics == nullptr || dynamics->wheels.empty()) {
+    robot().Command(stop ? Twist{} : speed_, this);
+    return;
+  }
+  // Wheels that drive the robot themselves.
+  double track = dynamics->turning_track;
+  if (track == 0.0) {
+    double left = 0.0;
+    double right = 0.0;
+    for (const scene::WheelDef& wheel : dynamics->wheels) {
+      if (wheel.drive == "left") left = wheel.position.y;
+      if (wheel.drive == "right") right = wheel.position.y;
+    }
+    track = left - right;
+  }
+  const double half = stop ? 0.0 : 0.5 * w * track;
+  robot().CommandWheels({stop ? 0.0 : v - half, stop ? 0.0 : v + half}, this);
 }
 
 void MotionVWDiff::Receive(const Json& message) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/euler.h"
 #include "base/trig.h"
 #include "sim/sensors/sensor_motion.h"
 
@@ -46,6 +47,16 @@ void Teleport::Receive(const Json& message) {
 
 void Teleport::Act(const Instant& now) {
   DataChanged(now.time);
+  if (robot().dynamic()) {
+    // So that the actuator itself is there: its robot is turned by what the mount is not.
+    const Rotation wanted = FromEuler(euler_.x, euler_.y, euler_.z);
+    const Rotation mounted = mount_rotation();
+    const Rotation back{{mounted.x.x, mounted.y.x, mounted.z.x},
+                        {mounted.x.y, mounted.y.y, mounted.z.y},
+                        {mounted.x.z, mounted.y.z, mounted.z.z}};
+    const Rotation turned = Combined(wanted, back);
+    return robot().PlaceInSpace({position_ - Rotate(turned, mount()), turned, {}, {}});
+  }
   const double yaw = NormalizeAngle(euler_.z - mount_euler().z);
   const auto [s, c] = SinCos(yaw);
   const Vec3 arm = mount();

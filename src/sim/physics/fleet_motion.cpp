@@ -101,6 +101,7 @@ void FleetMotion::FindNeighbours(double step) {
 void FleetMotion::Move(std::size_t index, const Instant& now,
                        std::vector<const Obstacle*>& in_the_way) {
   Robot& robot = *robots_[index];
+  if (robot.dynamic()) return;  // moved by forces (dynamics.h)
   if (!IsClear(index, Fastest(robot) * now.step)) {
     const Around& around = around_[index];
     in_the_way.insert(in_the_way.end(), around.boxes.begin(), around.boxes.end());

@@ -70,13 +70,17 @@ RangeEngine::RangeEngine(const World& world) : world_(world) {
 
 RangeEngine::~RangeEngine() = default;
 
-RayPath RangeEngine::Choose(const BeamFan& fan, double height) const {
+bool RangeEngine::Leans(int self) const {
+  return self >= 0 && world_.robots()[static_cast<std::size_t>(self)]->tilted();
+}
+
+RayPath RangeEngine::Choose(const BeamFan& fan, double height, int self) const {
   const bool meets_mesh =
       std::any_of(mesh_heights_.begin(), mesh_heights_.end(), [height](const Heights& heights) {
         return heights.bottom <= height && height <= heights.top;
       });
   // On terrain robots are at all heights, and may lean.
-  const bool planar = fan.upright() && !meets_mesh && !world_.scene().terrain;
+  const bool planar = fan.upright() && !meets_mesh && !world_.scene().terrain && !Leans(self);
   if (forced_ == RayPath::kPlanar && !planar) {
     throw Error("a scan that is tilted, has layers or meets a mesh cannot take the planar path");
   }
@@ -86,7 +90,7 @@ RayPath RangeEngine::Choose(const BeamFan& fan, double height) const {
 void RangeEngine::Scan(BeamFan& fan, const Pose2& robot, double origin_height, int self,
                        std::span<double> ranges) const {
   const double height = origin_height + fan.position().z;
-  if (Choose(fan, height) == RayPath::kPlanar) {
+  if (Choose(fan, height, self) == RayPath::kPlanar) {
     fan.planar().Scan(fan.PlanarPose(robot), world_.BoxesAt(height), world_.RobotsAt(height), self,
                       ranges);
     return;
@@ -100,7 +104,7 @@ void RangeEngine::Scan(BeamFan& fan, const Pose2& robot, double origin_height, i
 void RangeEngine::ScanHits(BeamFan& fan, const Pose2& robot, double origin_height, int self,
                            std::span<RayHit> hits) const {
   const double height = origin_height + fan.position().z;
-  if (Choose(fan, height) == RayPath::kPlanar) {
+  if (Choose(fan, height, self) == RayPath::kPlanar) {
     Identify(fan, robot, height, self, hits);
   } else {
     Trace(fan, robot, origin_height, self, hits);
@@ -110,9 +114,8 @@ void RangeEngine::ScanHits(BeamFan& fan, const Pose2& robot, double origin_heigh
 void RangeEngine::Trace(BeamFan& fan, const Pose2& robot, double origin_height, int self,
                         std::span<RayHit> hits) const {
   const EmbreeScene& triangles = Triangles();
-  const bool leans = self >= 0 && world_.robots()[static_cast<std::size_t>(self)]->tilted();
-  const Rotation turned = leans ? world_.robots()[static_cast<std::size_t>(self)]->rotation()
-                                : FromEuler(0.0, 0.0, robot.yaw);
+  const Rotation turned = Leans(self) ? world_.robots()[static_cast<std::size_t>(self)]->rotation()
+                                      : FromEuler(0.0, 0.0, robot.yaw);
   const Rotation rotation = Combined(turned, fan.rotation());
   const Vec3 origin = Vec3{robot.x, robot.y, origin_height} + Rotate(turned, fan.position());
   thread_local std::vector<Ray> rays;

@@ -37,17 +37,17 @@ class RangeEngine {
   /// then throws Error.
   void Force(RayPath path) { forced_ = path; }
 
-  /// The way that is taken for a fan whose scanner is at `height` (m above the floor): planar for
-  /// an upright one that no mesh reaches, else Embree.
-  RayPath Choose(const BeamFan& fan, double height) const;
+  /// The way that is taken for a fan whose scanner is at `height` (m above the floor) on robot
+  /// `self` (-1: on none): planar for an upright one that no mesh reaches, else Embree.
+  RayPath Choose(const BeamFan& fan, double height, int self = -1) const;
 
   /// Distances along all beams, m, (fan.count()), of a scanner on a robot at `robot` whose origin
   /// is `origin_height` (m) above the floor; the fan's range where there is nothing. Robot `self`
-  /// is not seen (-1: all are).
+  /// is not seen (-1: all are); where it leans, the scanner does.
   void Scan(BeamFan& fan, const Pose2& robot, double origin_height, int self,
             std::span<double> ranges) const;
 
-  /// The same, and what is hit. Slower on the planar way, which has to look for it afterwards.
+  /// The first, and what is hit. Slower on the planar way, which has to look for it afterwards.
   void ScanHits(BeamFan& fan, const Pose2& robot, double origin_height, int self,
                 std::span<RayHit> hits) const;
 
@@ -68,6 +68,7 @@ class RangeEngine {
   const EmbreeScene& Triangles() const;
   void Build() const;
   bool PlaceRobots() const;
+  bool Leans(int self) const;
   void Trace(BeamFan& fan, const Pose2& robot, double origin_height, int self,
              std::span<RayHit> hits) const;
   void Identify(BeamFan& fan, const Pose2& robot, double height, int self,

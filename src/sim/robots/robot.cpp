@@ -8,13 +8,22 @@
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "sim/actuators/destination.h"
+#include "sim/actuators/drag.h"
+#include "sim/actuators/external_force.h"
+#include "sim/actuators/force_torque.h"
 #include "sim/actuators/light.h"
 #include "sim/actuators/motion_vw.h"
 #include "sim/actuators/motion_vw_diff.h"
 #include "sim/actuators/motion_xyw.h"
 #include "sim/actuators/orientation.h"
 #include "sim/actuators/pen.h"
+#include "sim/actuators/quadrotor_dynamic_control.h"
+#include "sim/actuators/rotorcraft_attitude.h"
+#include "sim/actuators/rotorcraft_velocity.h"
+#include "sim/actuators/rotorcraft_waypoint.h"
 #include "sim/actuators/sound.h"
+#include "sim/actuators/stabilized_quadrotor.h"
+#include "sim/actuators/steer_force.h"
 #include "sim/actuators/teleport.h"
 #include "sim/actuators/waypoint.h"
 #include "sim/canvas.h"
@@ -41,14 +50,28 @@
 #include "sim/sensors/velocity.h"
 
 namespace ccmorse::sim {
+namespace {
+
+double Square(double number) { return number * number; }
+
+}  // namespace
 
 Robot::Robot(const scene::RobotDef& def, int index)
     : def_(def),
       model_(scene::ModelOf(def)),
       footprint_(Footprint::Make(model_.footprint)),
-      index_(index) {
+      index_(index),
+      height_(model_.origin_height) {
   outline_.outline.reserve(footprint_.outline.size());
-  Place(def_.pose);
+  if (dynamic()) {
+    // Of the box around it, as if its middle were its centre of mass (specs: morse.md H.2).
+    const Vec3 sides{model_.length, model_.width, dynamics()->top - dynamics()->bottom};
+    const double share = model_.mass / 12.0;
+    inertia_ = {share * (sides.y * sides.y + sides.z * sides.z),
+                share * (sides.x * sides.x + sides.z * sides.z),
+                share * (sides.x * sides.x + sides.y * sides.y)};
+  }
+  PlaceAtStart();
   hash_.Add(name());
 }
 
@@ -67,13 +90,71 @@ void Robot::Command(const Twist& twist, const Actuator* by) {
               std::clamp(twist.w, -model_.max_turn_rate, model_.max_turn_rate),
               std::clamp(twist.side, -model_.max_side_speed, model_.max_side_speed)};
   driver_ = by;
+  orders_.wheels.reset();
+}
+
+void Robot::CommandWheels(const WheelSpeeds& speeds, const Actuator* by) {
+  command_ = {};
+  driver_ = by;
+  orders_.wheels = speeds;
+}
+
+void Robot::Push(const Vec3& force, const Vec3& torque) {
+  orders_.force = orders_.force + force;
+  orders_.torque = orders_.torque + torque;
+}
+
+void Robot::PlaceInSpace(const RigidState& state) {
+  body_ = state;
+  orders_.replaced = true;
+  Show();
+}
+
+void Robot::PlaceAtStart() {
+  height_ = model_.origin_height;
+  Place(def_.pose);
+  Land(def_.z);
+  if (!dynamic()) return;
+  PlaceInSpace({position(), FromEuler(dynamics()->roll, dynamics()->pitch, def_.pose.yaw), {}, {}});
+}
+
+void Robot::Show() {
+  const Rotation& turned = body_.rotation;
+  pose_ = {body_.position.x, body_.position.y, ToEuler(turned).z};
+  height_ = body_.position.z;
+  const Vec3 own = RotateBack(turned, body_.velocity);
+  twist_ = {own.x, RotateBack(turned, body_.spin).z, own.y};
+  outline_old_ = true;
+}
+
+void Robot::Follow(const RigidState& moved, std::vector<Surface> touches, const Instant& now) {
+  const RigidState state = held_ ? RigidState{body_.position, body_.rotation, {}, {}} : moved;
+  const Vec3 way = state.position - body_.position;
+  if (!orders_.replaced) tally_.distance += std::sqrt(Dot(way, way));
+  if (touches_.empty() && !touches.empty()) ++tally_.contacts;
+  touches_ = std::move(touches);
+  body_ = state;
+  orders_.force = {};
+  orders_.torque = {};
+  orders_.replaced = held_;
+  Show();
+  // Something is in its way when it goes at less than a tenth of what it is told.
+  const double asked = std::sqrt(command_.v * command_.v + command_.side * command_.side);
+  stalled_ = !touches_.empty() && asked > 0.0 && Dot(way, way) < Square(0.1 * asked * now.step);
+  if (stalled_) tally_.stalled += now.step;
+  for (const Vec3& v : {state.position, state.rotation.x, state.rotation.y, state.rotation.z,
+                        state.velocity, state.spin}) {
+    hash_.Add(v.x);
+    hash_.Add(v.y);
+    hash_.Add(v.z);
+  }
 }
 
 void Robot::Move(const Instant& now, std::span<const Obstacle* const> obstacles) {
   const bool touched_before = stalled_;
-  twist_ = dynamics_ ? command_ : Twist{};
+  twist_ = held_ ? Twist{} : command_;
   stalled_ = false;
-  if (!dynamics_) {
+  if (held_) {
     // It stays.
   } else if (command_.v != 0.0 || command_.w != 0.0 || command_.side != 0.0) {
     const MotionResult moved = ground_ != nullptr
@@ -111,7 +192,8 @@ Vec3 Robot::foot() const {
 }
 
 void Robot::set_ground(const Ground& ground) {
-  if (ground.empty()) return;
+  // A dynamic robot lies on the ground's triangles.
+  if (ground.empty() || dynamic()) return;
   ground_ = &ground;
   Land(def_.z);
 }
@@ -167,15 +249,35 @@ void Robot::Place(const Pose2& pose) {
   command_ = {};
   stalled_ = false;
   outline_old_ = true;
+  if (!dynamic()) return;
+  // At its height, upright.
+  orders_ = {};
+  PlaceInSpace({position(), FromEuler(0.0, 0.0, pose.yaw), {}, {}});
 }
 
 void Robot::Orient(double yaw) {
+  if (dynamic()) {
+    const Vec3 euler = ToEuler(body_.rotation);
+    RigidState turned{body_.position, FromEuler(euler.x, euler.y, yaw), body_.velocity, {}};
+    return PlaceInSpace(turned);
+  }
   pose_.yaw = yaw;
   Land(stand_.z);
   outline_old_ = true;
 }
 
+Vec3 Robot::spin() const { return dynamic() ? body_.spin : Vec3{0.0, 0.0, twist_.w}; }
+
+Rotation Robot::rotation() const {
+  return dynamic() ? body_.rotation : FromEuler(stand_.roll, stand_.pitch, pose_.yaw);
+}
+
+Vec3 Robot::euler() const {
+  return dynamic() ? ToEuler(body_.rotation) : Vec3{stand_.roll, stand_.pitch, pose_.yaw};
+}
+
 Vec3 Robot::velocity() const {
+  if (dynamic()) return body_.velocity;
   const auto [s, c] = SinCos(pose_.yaw);
   return {c * twist_.v - s * twist_.side, s * twist_.v + c * twist_.side, climb_};
 }
@@ -189,9 +291,9 @@ const Obstacle& Robot::outline() const {
 }
 
 void Robot::Reset() {
-  Place(def_.pose);
-  Land(def_.z);
-  dynamics_ = true;
+  PlaceAtStart();
+  touches_.clear();
+  held_ = false;
   driver_ = nullptr;
   tally_ = {};
   for (const auto& component : components_) component->Reset();
@@ -247,23 +349,33 @@ Component& AddComponent(Robot& robot, const scene::ComponentDef& def,
   if (def.type == "Proximity") return AddOf<Proximity>(robot, def, scenario, world);
   if (def.type == "RadarAltimeter") return AddOf<RadarAltimeter>(robot, def, world);
   if (def.type == "Thermometer") return AddOf<Thermometer>(robot, def, scenario, world);
+  if (def.type == "RotorcraftAttitude") return AddOf<RotorcraftAttitude>(robot, def, scenario);
+  if (def.type == "RotorcraftVelocity") return AddOf<RotorcraftVelocity>(robot, def, scenario);
+  if (def.type == "RotorcraftWaypoint") return AddOf<RotorcraftWaypoint>(robot, def, scenario);
   // All others need nothing but their robot and a name.
   using Maker = Component& (*)(Robot&, const scene::ComponentDef&);
-  static const std::map<std::string, Maker> makers = {{"Accelerometer", AddOf<Accelerometer>},
-                                                      {"Airspeed", AddOf<Airspeed>},
-                                                      {"Barometer", AddOf<Barometer>},
-                                                      {"Clock", AddOf<Clock>},
-                                                      {"Destination", AddOf<Destination>},
-                                                      {"Gyroscope", AddOf<Gyroscope>},
-                                                      {"Light", AddOf<Light>},
-                                                      {"MotionVW", AddOf<MotionVW>},
-                                                      {"MotionVWDiff", AddOf<MotionVWDiff>},
-                                                      {"MotionXYW", AddOf<MotionXYW>},
-                                                      {"Orientation", AddOf<Orientation>},
-                                                      {"Sound", AddOf<Sound>},
-                                                      {"Teleport", AddOf<Teleport>},
-                                                      {"Velocity", AddOf<Velocity>},
-                                                      {"Waypoint", AddOf<Waypoint>}};
+  static const std::map<std::string, Maker> makers = {
+      {"Accelerometer", AddOf<Accelerometer>},
+      {"Airspeed", AddOf<Airspeed>},
+      {"Barometer", AddOf<Barometer>},
+      {"Clock", AddOf<Clock>},
+      {"Destination", AddOf<Destination>},
+      {"Drag", AddOf<Drag>},
+      {"ExternalForce", AddOf<ExternalForce>},
+      {"ForceTorque", AddOf<ForceTorque>},
+      {"QuadrotorDynamicControl", AddOf<QuadrotorDynamicControl>},
+      {"StabilizedQuadrotor", AddOf<StabilizedQuadrotor>},
+      {"SteerForce", AddOf<SteerForce>},
+      {"Gyroscope", AddOf<Gyroscope>},
+      {"Light", AddOf<Light>},
+      {"MotionVW", AddOf<MotionVW>},
+      {"MotionVWDiff", AddOf<MotionVWDiff>},
+      {"MotionXYW", AddOf<MotionXYW>},
+      {"Orientation", AddOf<Orientation>},
+      {"Sound", AddOf<Sound>},
+      {"Teleport", AddOf<Teleport>},
+      {"Velocity", AddOf<Velocity>},
+      {"Waypoint", AddOf<Waypoint>}};
   const auto maker = makers.find(def.type);
   if (maker != makers.end()) return maker->second(robot, def);
   throw Error("there is no component of type '" + def.type + "'");

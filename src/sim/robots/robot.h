@@ -11,6 +11,8 @@
 #include "sim/component.h"
 #include "sim/ground.h"
 #include "sim/physics/kinematics.h"
+#include "sim/physics/rigid_world.h"
+#include "sim/physics/vehicle.h"
 
 namespace ccmorse::sim {
 
@@ -24,6 +26,21 @@ struct Twist {
   double side = 0.0;  ///< m/s, to the left; only omnidirectional robots have any
 };
 
+/// How fast the wheels of a robot that is driven by two go along the ground, m/s.
+struct WheelSpeeds {
+  double left = 0.0;
+  double right = 0.0;
+};
+
+/// What its actuators want of a dynamic robot in the next step.
+struct Orders {
+  Vec3 force;                         ///< N, world frame, through its origin; of one step
+  Vec3 torque;                        ///< Nm, world frame; of one step
+  bool replaced = false;              ///< it has been put where it is
+  std::optional<WheelSpeeds> wheels;  ///< what drives it; else its command does
+  VehicleControl vehicle;
+};
+
 /// What a run's report says of one robot.
 struct RobotTally {
   double distance = 0.0;       ///< m, path of the robot's origin
@@ -31,8 +48,10 @@ struct RobotTally {
   double stalled = 0.0;        ///< s, spent blocked
 };
 
-/// One robot: its body's state and its devices, which it owns. Kinematic: it has the commanded
-/// speed at once and stops where it touches something (design: Physics). Not thread safe.
+/// One robot: its body's state and its devices, which it owns. A kinematic one has the commanded
+/// speed at once and stops where it touches something; a dynamic one, whose body says so, is moved
+/// by forces (dynamics.h), or, free of them, is where its actuators put it (design: Physics). Not
+/// thread safe.
 class Robot {
  public:
   /// `index` is its place among the simulation's robots, ordered by name.
@@ -45,11 +64,13 @@ class Robot {
   int index() const { return index_; }
 
   const Pose2& pose() const { return pose_; }
-  Vec3 position() const { return {pose_.x, pose_.y, stand_.z + model_.origin_height}; }
-  Rotation rotation() const { return FromEuler(stand_.roll, stand_.pitch, pose_.yaw); }
-  /// How it stands on uneven ground (World::terrain); level at z = 0 on all other.
+  Vec3 position() const { return {pose_.x, pose_.y, stand_.z + height_}; }
+  Rotation rotation() const;  ///< of its frame
+  Vec3 euler() const;         ///< roll, pitch, yaw, rad
+  /// How a kinematic robot stands on uneven ground (World::terrain); level at z = 0 on all other.
   const Stand& stand() const { return stand_; }
-  bool tilted() const { return stand_.roll != 0.0 || stand_.pitch != 0.0; }
+  /// May its frame lie other than level?
+  bool tilted() const { return dynamic() || stand_.roll != 0.0 || stand_.pitch != 0.0; }
   /// Where the middle of its footprint is, m, in the world: heights of its hull count from there.
   Vec3 foot() const;
   const Twist& twist() const { return twist_; }  ///< what it really did in the last tick
@@ -58,6 +79,34 @@ class Robot {
 
   /// twist() in the world's frame, m/s: what a physics engine calls the body's linear velocity.
   Vec3 velocity() const;
+  Vec3 spin() const;  ///< rad/s, in the world's frame
+
+  /// Is it somewhere in space, not on the floor?
+  bool dynamic() const { return dynamics() != nullptr; }
+  /// Is it a dynamic one that forces do not move?
+  bool free() const { return dynamic() && dynamics()->kind == "free"; }
+  const scene::DynamicsDef* dynamics() const {
+    return def_.body && def_.body->dynamics ? &*def_.body->dynamics : nullptr;
+  }
+  /// Of a dynamic robot only: where it is and how it moves.
+  const RigidState& body() const { return body_; }
+  const Vec3& inertia() const { return inertia_; }  ///< kg m^2, about its own axes
+  /// What it touches, sorted, but the ground.
+  const std::vector<Surface>& touches() const { return touches_; }
+
+  // For actuators of a dynamic robot.
+  Orders& orders() { return orders_; }
+  const Orders& orders() const { return orders_; }
+  /// Adds a force (N) through its origin and a torque (Nm), in the world's frame, for the next
+  /// step.
+  void Push(const Vec3& force, const Vec3& torque);
+  /// The speeds that its wheels are to have from the next step on.
+  void CommandWheels(const WheelSpeeds& speeds, const Actuator* by);
+  /// Puts it there, with that motion.
+  void PlaceInSpace(const RigidState& state);
+
+  /// What became of a dynamic robot in a step.
+  void Follow(const RigidState& moved, std::vector<Surface> touches, const Instant& now);
 
   /// Puts it on uneven ground, which outlives it; before the run. One that is empty has no effect.
   void set_ground(const Ground& ground);
@@ -72,10 +121,8 @@ class Robot {
   /// What it was told last, after clamping.
   const Twist& command() const { return command_; }
 
-  /// A robot whose dynamics are off stays where it is, whatever it is told (MORSE's
-  /// set_object_dynamics).
-  void set_dynamics(bool on) { dynamics_ = on; }
-  bool dynamics() const { return dynamics_; }
+  /// A robot that is held stays where it is, whatever it is told (MORSE's set_object_dynamics).
+  void set_held(bool held) { held_ = held; }
 
   /// One physics step among the given obstacles.
   void Move(const Instant& now, std::span<const Obstacle* const> obstacles);
@@ -109,6 +156,8 @@ class Robot {
  private:
   void Land(double from);
   MotionResult MoveOnGround(const Instant& now, std::span<const Obstacle* const> obstacles) const;
+  void PlaceAtStart();
+  void Show();  // of body_ what the plane knows of it
   void Register(std::unique_ptr<Sensor> sensor);
   void Register(std::unique_ptr<Actuator> actuator);
 
@@ -117,14 +166,19 @@ class Robot {
   Footprint footprint_;
   int index_;
   Pose2 pose_;
-  Stand stand_;
+  Stand stand_;                     // of a kinematic robot
   double climb_ = 0.0;              // m/s, upwards in the last tick
   const Ground* ground_ = nullptr;  // where it is uneven
+  double height_;                   // m, of its origin above where it stands
+  RigidState body_;                 // of a dynamic robot
+  Vec3 inertia_;                    // kg m^2
+  Orders orders_;
+  std::vector<Surface> touches_;
   Twist command_;
   Twist twist_;
   const Actuator* driver_ = nullptr;
   bool stalled_ = false;
-  bool dynamics_ = true;
+  bool held_ = false;
   RobotTally tally_;
   mutable Obstacle outline_;         // placed when somebody asks
   mutable bool outline_old_ = true;  // it is where the robot was

@@ -36,6 +36,18 @@ void Collision::Sample(const Instant& now) {
     if (("," + objects_ + ",").find("," + name + ",") != std::string::npos) return;
     objects_ += (objects_.empty() ? "" : ",") + name;
   };
+  if (robot().dynamic()) {
+    for (const Surface& touched : robot().touches()) {
+      if (touched.kind != HitKind::kRobot) {
+        if (only_.empty()) add(NameOf(touched.object));
+        continue;
+      }
+      const Robot& other = *world_.robots()[static_cast<std::size_t>(touched.object)];
+      if (!only_.empty() && other.def().properties.Find(only_) == nullptr) continue;
+      add(other.name());
+    }
+    return DataChanged(now.time);
+  }
   if (only_.empty()) {
     near_.clear();
     const Pose2& pose = robot().pose();

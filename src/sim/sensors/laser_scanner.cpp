@@ -65,7 +65,9 @@ void LaserScanner::AddNoise(std::uint64_t tick) {
 
 void LaserScanner::Prepare() {
   const double height = robot().model().origin_height + def_.position.z;
-  if (world_.rays().Choose(fan_, height) == RayPath::kEmbree) world_.rays().Prepare();
+  if (world_.rays().Choose(fan_, height, robot().index()) == RayPath::kEmbree) {
+    world_.rays().Prepare();
+  }
 }
 
 void LaserScanner::Reset() {

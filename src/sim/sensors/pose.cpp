@@ -19,14 +19,14 @@ PoseSensor::PoseSensor(Robot& robot, const std::string& name, std::uint64_t seed
 }
 
 void PoseSensor::Read() {
-  pitch_ = mount_euler().y;
   roll_ = mount_euler().x;
+  pitch_ = mount_euler().y;
   if (robot().tilted()) {
     const MountPlace place = PlaceOfMount(*this);
     pose_ = {place.position.x, place.position.y, place.euler.z};
     z_ = place.position.z;
-    pitch_ = place.euler.y;
     roll_ = place.euler.x;
+    pitch_ = place.euler.y;
     return;
   }
   pose_ = robot().pose();
@@ -68,6 +68,10 @@ void PoseSensor::AddToHash(StateHash& hash) const {
   hash.Add(pose_.x);
   hash.Add(pose_.y);
   hash.Add(pose_.yaw);
+  if (!robot().dynamic()) return;  // of others the rest does not change
+  hash.Add(z_);
+  hash.Add(roll_);
+  hash.Add(pitch_);
 }
 
 void PoseSensor::AppendNumbers(std::vector<double>& out) const {

@@ -62,24 +62,37 @@ void SensorMotion::ByVelocity() {
   const Robot& robot = component_.robot();
   const Rotation mount = component_.mount_rotation();
   state_.velocity = robot.velocity();
-  const double turn_rate = robot.twist().w;
-  state_.angular_velocity = RotateBack(mount, {0.0, 0.0, turn_rate});
+  const Vec3 spin = robot.dynamic() ? RotateBack(robot.rotation(), robot.spin())
+                                    : Vec3{0.0, 0.0, robot.twist().w};
+  state_.angular_velocity = RotateBack(mount, spin);
   const Vec3 arm = component_.mount();
   if (Length(arm) > kLever) {
-    const Vec3 spin{0.0, 0.0, turn_rate};
     Vec3 lever = Cross(spin, Cross(spin, arm));
     if (state_.step > 0.0) {
-      lever = lever + Cross({0.0, 0.0, (turn_rate - last_turn_rate_) / state_.step}, arm);
+      const Vec3 change = spin - last_spin_;
+      lever = lever +
+              Cross({change.x / state_.step, change.y / state_.step, change.z / state_.step}, arm);
     }
     state_.lever_acceleration = RotateBack(mount, lever);
   }
-  last_turn_rate_ = turn_rate;
+  last_spin_ = spin;
 }
 
 void SensorMotion::ByPosition(const MountPlace& before) {
   if (state_.step <= 0.0) return;
   const MountPlace& here = state_.place;
   state_.velocity = (1.0 / state_.step) * (here.position - before.position);
+  if (component_.robot().dynamic()) {
+    // The turn from there to here, as seen from there: of a small one, its axis and angle.
+    const Vec3 x = RotateBack(before.rotation, here.rotation.x);
+    const Vec3 y = RotateBack(before.rotation, here.rotation.y);
+    const Vec3 z = RotateBack(before.rotation, here.rotation.z);
+    const Vec3 axis{0.5 * (y.z - z.y), 0.5 * (z.x - x.z), 0.5 * (x.y - y.x)};
+    const double sine = Length(axis);
+    const double angle = Atan2(sine, 0.5 * (x.x + y.y + z.z - 1.0));
+    state_.angular_velocity = (sine > 0.0 ? angle / sine / state_.step : 0.0) * axis;
+    return;
+  }
   // Of robots that turn about z only, the rates of the angles are the rate of yaw.
   const double rate = NormalizeAngle(here.euler.z - before.euler.z) / state_.step;
   state_.angular_velocity = RotateBack(component_.mount_rotation(), {0.0, 0.0, rate});
@@ -89,7 +102,7 @@ void SensorMotion::Reset() {
   state_ = {};
   state_.place = PlaceOfMount(component_);
   last_time_ = 0.0;
-  last_turn_rate_ = 0.0;
+  last_spin_ = {};
   moved_before_ = false;
 }
 

@@ -53,7 +53,7 @@ class SensorMotion {
   const Component& component_;
   State state_;
   double last_time_ = 0.0;
-  double last_turn_rate_ = 0.0;
+  Vec3 last_spin_;             // rad/s, of the robot, in its frame
   bool moved_before_ = false;  // there is an activation to compare with
 };
 
