@@ -474,6 +474,20 @@ Json ReadProperties(const Field& field) {
   return field.value();
 }
 
+ModifierDef ReadModifier(const Field& field) {
+  ObjectReader reader(field);
+  ModifierDef modifier;
+  modifier.type = reader.Require("type").Choice(ModifierTypes());
+  if (reader.Has("settings")) modifier.settings = ReadProperties(reader.Require("settings"));
+  reader.Finish();
+  return modifier;
+}
+
+// Has the settings of a scanner.
+bool HasLaser(const ComponentDef& component) {
+  return component.type == "LaserScanner" || component.type == "VelodyneRayCast";
+}
+
 ComponentDef ReadComponent(const Field& field) {
   ObjectReader reader(field);
   ComponentDef component;
@@ -488,7 +502,7 @@ ComponentDef ReadComponent(const Field& field) {
     if (component.type != "Pose") reader.Require("noise").FailHere("is for a Pose; remove it");
     component.noise = ReadPoseNoise(reader.Require("noise"));
   }
-  if (component.type == "LaserScanner") {
+  if (HasLaser(component)) {
     LaserDef laser = MorseLaser(30.0, 180.0, 1.0);  // MORSE's own defaults (specs: morse.md B.2)
     laser.frequency = component.frequency;
     laser.position = component.position;
@@ -510,6 +524,11 @@ ComponentDef ReadComponent(const Field& field) {
     component.level = level.Choice(levels);
   }
   if (reader.Has("properties")) component.properties = ReadProperties(reader.Require("properties"));
+  if (reader.Has("modifiers")) {
+    for (const Field& modifier : reader.Require("modifiers").Items()) {
+      component.modifiers.push_back(ReadModifier(modifier));
+    }
+  }
   reader.Finish();
   return component;
 }
@@ -584,6 +603,42 @@ GeodesyDef ReadGeodesy(const Field& field) {
       reader.Number("angle_against_north", geodesy.angle_against_north, {-360.0, 360.0});
   reader.Finish();
   return geodesy;
+}
+
+// {"file": ...} of a World Magnetic Model, or {"epoch", "terms"}; and "date".
+MagneticFieldDef ReadMagneticField(const Field& field) {
+  ObjectReader reader(field);
+  constexpr Range kYear{1.0, 9999.0};
+  constexpr Range kTeslas{-1e6, 1e6};
+  MagneticFieldDef magnetic;
+  if (reader.Has("file")) {
+    const Field file = reader.Require("file");
+    try {
+      const std::filesystem::path beside = std::filesystem::path(file.file()).parent_path();
+      magnetic = LoadMagneticField((beside / file.Text()).string());
+    } catch (const Error& error) {
+      file.Fail(error.what());
+    }
+  } else if (reader.Has("terms")) {
+    magnetic.epoch = reader.Require("epoch").Number(kYear);
+    magnetic.date = magnetic.epoch;
+    magnetic.terms.clear();
+    for (const Field& item : reader.Require("terms").Items()) {
+      const std::vector<Field> parts = item.Items();
+      if (parts.size() != 6) item.FailHere("must be [n, m, g, h, g's change, h's change]");
+      MagneticTerm term;
+      term.degree = static_cast<int>(parts[0].Integer(1, kMostMagneticDegree));
+      term.order = static_cast<int>(parts[1].Integer(0, term.degree));
+      term.g = parts[2].Number(kTeslas);
+      term.h = parts[3].Number(kTeslas);
+      term.g_rate = parts[4].Number(kTeslas);
+      term.h_rate = parts[5].Number(kTeslas);
+      magnetic.terms.push_back(term);
+    }
+  }
+  magnetic.date = reader.Number("date", magnetic.date, kYear);
+  reader.Finish();
+  return magnetic;
 }
 
 // A robot of type Custom says itself what the model of another type would.
@@ -822,6 +877,9 @@ Scenario ReadScenario(const Json& json, const std::string& file) {
     }
   }
   if (reader.Has("geodesy")) scenario.geodesy = ReadGeodesy(reader.Require("geodesy"));
+  if (reader.Has("magnetic_field")) {
+    scenario.magnetic_field = ReadMagneticField(reader.Require("magnetic_field"));
+  }
   if (reader.Has("obstacles")) {
     scenario.obstacles = ReadObstacles(reader.Require("obstacles"), scenario.world);
   }
@@ -914,9 +972,17 @@ Json ComponentToJson(const ComponentDef& component) {
     object.emplace_back("noise", Json::Object{{"pos_std", component.noise.pos_std},
                                               {"rot_std", component.noise.rot_std}});
   }
-  if (component.type == "LaserScanner") object.emplace_back("laser", LaserToJson(component.laser));
+  if (HasLaser(component)) object.emplace_back("laser", LaserToJson(component.laser));
   if (!component.level.empty()) object.emplace_back("level", component.level);
   AddProperties(object, component.properties);
+  if (!component.modifiers.empty()) {
+    Json::Array modifiers;
+    for (const ModifierDef& modifier : component.modifiers) {
+      modifiers.emplace_back(
+          Json::Object{{"type", modifier.type}, {"settings", modifier.settings}});
+    }
+    object.emplace_back("modifiers", std::move(modifiers));
+  }
   return object;
 }
 
@@ -934,6 +1000,15 @@ Json ZoneToJson(const ZoneDef& zone) {
   return Json::Object{{"type", zone.type},
                       {"position", VectorToJson(zone.position)},
                       {"half_size", VectorToJson(zone.half_size)}};
+}
+
+Json MagneticFieldToJson(const MagneticFieldDef& field) {
+  Json::Array terms;
+  for (const MagneticTerm& term : field.terms) {
+    terms.emplace_back(
+        Json::Array{term.degree, term.order, term.g, term.h, term.g_rate, term.h_rate});
+  }
+  return Json::Object{{"epoch", field.epoch}, {"date", field.date}, {"terms", std::move(terms)}};
 }
 
 Json GeodesyToJson(const GeodesyDef& geodesy) {
@@ -1019,7 +1094,17 @@ const std::vector<std::string>& ComponentTypes() {
       "LaserScanner",   "Light",           "MotionVW",    "MotionVWDiff", "MotionXYW",
       "Odometry",       "Orientation",     "Pen",         "Pose",         "Proximity",
       "RadarAltimeter", "RobotProperties", "Sound",       "Teleport",     "Thermometer",
-      "Velocity",       "Waypoint"};
+      "Velocity",       "Waypoint",
+      // Of things that move, are carried or found.
+      "Arucomarker", "CompoundSensor", "Gripper", "IMU", "Keyboard", "Magnetometer", "PTU", "PTUPosture",
+      "SearchAndRescue", "SemanticCamera", "VelodyneRayCast"};
+  return types;
+}
+
+const std::vector<std::string>& ModifierTypes() {
+  static const std::vector<std::string> types = {"ECEF",     "IMUNoise",   "NED",
+                                                 "OdometryNoise", "PoseNoise", "UTM",
+                                                 "feet",     "geocentric", "geodetic"};
   return types;
 }
 
@@ -1088,6 +1173,9 @@ Json ToJson(const Scenario& scenario) {
     object.emplace_back("zones", std::move(zones));
   }
   if (scenario.geodesy) object.emplace_back("geodesy", GeodesyToJson(*scenario.geodesy));
+  if (scenario.magnetic_field != MagneticFieldDef{}) {
+    object.emplace_back("magnetic_field", MagneticFieldToJson(scenario.magnetic_field));
+  }
   if (scenario.player) object.emplace_back("player", PlayerSetupToJson(*scenario.player));
   return object;
 }

@@ -239,7 +239,7 @@ void ServiceDirectory::Receive(sim::Actuator& actuator, const Json& message) {
   if (input_tap_) {
     input_tap_({Input::Kind::kStream, actuator.full_name(), {}, message.Dump()});
   }
-  actuator.Receive(message);
+  actuator.Take(message);
 }
 
 void ServiceDirectory::Interrupt(std::string_view component) {
@@ -315,6 +315,7 @@ void ServiceDirectory::AddComponentServices(sim::Component& component) {
                            const char* const type = value.IsBool()     ? "bool"
                                                     : value.IsInt()    ? "int"
                                                     : value.IsNumber() ? "float"
+                                                       : value.IsNull()   ? "NoneType"
                                                                        : "string";
                            properties.Set(key, Json::Array{value, type, "", key});
                          }

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/euler.h"
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "scene/mesh.h"
@@ -14,10 +15,6 @@
 
 namespace ccmorse::sim {
 namespace {
-
-Rotation Combined(const Rotation& outer, const Rotation& inner) {
-  return {Rotate(outer, inner.x), Rotate(outer, inner.y), Rotate(outer, inner.z)};
-}
 
 TriangleSet BoxTriangles(const scene::World& world) {
   TriangleSet set;

@@ -14,6 +14,12 @@ PoseSensor::PoseSensor(Robot& robot, const std::string& name, std::uint64_t seed
 PoseSensor::PoseSensor(Robot& robot, const std::string& name, std::uint64_t seed,
                        const scene::PoseNoiseDef& noise)
     : Sensor(robot, name, "Pose", 60.0), noise_(seed, full_name()), deviation_(noise) {
+  AddData("x", pose_.x);
+  AddData("y", pose_.y);
+  AddData("z", z_);
+  AddData("yaw", pose_.yaw);
+  AddData("pitch", pitch_);
+  AddData("roll", roll_);
   Read();
 }
 
@@ -28,7 +34,10 @@ void PoseSensor::Read() {
     pose_.y = place.y;
   }
   z_ += at.z;
-  if (mount_euler().z != 0.0) pose_.yaw = NormalizeAngle(pose_.yaw + mount_euler().z);
+  const Vec3 euler = mount_euler();
+  if (euler.z != 0.0) pose_.yaw = NormalizeAngle(pose_.yaw + euler.z);
+  pitch_ = euler.y;
+  roll_ = euler.x;
 }
 
 void PoseSensor::Sample(const Instant& now) {
@@ -60,7 +69,7 @@ void PoseSensor::AddToHash(StateHash& hash) const {
 }
 
 void PoseSensor::AppendNumbers(std::vector<double>& out) const {
-  out.insert(out.end(), {pose_.x, pose_.y, z_, mount_euler().x, mount_euler().y, pose_.yaw});
+  out.insert(out.end(), {pose_.x, pose_.y, z_, roll_, pitch_, pose_.yaw});
 }
 
 void PoseSensor::AppendFields(std::string& out) const {
@@ -68,8 +77,8 @@ void PoseSensor::AppendFields(std::string& out) const {
   AppendField(out, "y", pose_.y);
   AppendField(out, "z", z_);
   AppendField(out, "yaw", pose_.yaw);
-  AppendField(out, "pitch", mount_euler().y);
-  AppendField(out, "roll", mount_euler().x);
+  AppendField(out, "pitch", pitch_);
+  AppendField(out, "roll", roll_);
 }
 
 }  // namespace ccmorse::sim

@@ -28,7 +28,9 @@ class PoseSensor : public Sensor {
   Noise noise_;
   scene::PoseNoiseDef deviation_;
   Pose2 pose_;
-  double z_ = 0.0;
+  double z_ = 0.0;      // m
+  double pitch_ = 0.0;  // rad
+  double roll_ = 0.0;   // rad
 };
 
 }  // namespace ccmorse::sim
