@@ -1089,22 +1089,20 @@ std::vector<std::string> PlaceProblems(const Scenario& scenario) {
 
 const std::vector<std::string>& ComponentTypes() {
   static const std::vector<std::string> types = {
-      "Accelerometer",  "Airspeed",        "Attitude",    "Barometer",    "Battery",
-      "Clock",          "Collision",       "Destination", "GPS",          "Gyroscope",
-      "LaserScanner",   "Light",           "MotionVW",    "MotionVWDiff", "MotionXYW",
-      "Odometry",       "Orientation",     "Pen",         "Pose",         "Proximity",
-      "RadarAltimeter", "RobotProperties", "Sound",       "Teleport",     "Thermometer",
-      "Velocity",       "Waypoint",
+      "Accelerometer", "Airspeed", "Attitude", "Barometer", "Battery", "Clock", "Collision",
+      "Destination", "GPS", "Gyroscope", "LaserScanner", "Light", "MotionVW", "MotionVWDiff",
+      "MotionXYW", "Odometry", "Orientation", "Pen", "Pose", "Proximity", "RadarAltimeter",
+      "RobotProperties", "Sound", "Teleport", "Thermometer", "Velocity", "Waypoint",
       // Of things that move, are carried or found.
-      "Arucomarker", "CompoundSensor", "Gripper", "IMU", "Keyboard", "Magnetometer", "PTU", "PTUPosture",
-      "SearchAndRescue", "SemanticCamera", "VelodyneRayCast"};
+      "Arucomarker", "CompoundSensor", "Gripper", "IMU", "Keyboard", "Magnetometer", "PTU",
+      "PTUPosture", "SearchAndRescue", "SemanticCamera", "VelodyneRayCast"};
   return types;
 }
 
 const std::vector<std::string>& ModifierTypes() {
-  static const std::vector<std::string> types = {"ECEF",     "IMUNoise",   "NED",
-                                                 "OdometryNoise", "PoseNoise", "UTM",
-                                                 "feet",     "geocentric", "geodetic"};
+  static const std::vector<std::string> types = {"ECEF",          "IMUNoise",   "NED",
+                                                 "OdometryNoise", "PoseNoise",  "UTM",
+                                                 "feet",          "geocentric", "geodetic"};
   return types;
 }
 

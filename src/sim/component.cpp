@@ -136,8 +136,7 @@ Json Component::Properties() const {
 void Component::SetProperty(std::string_view name, const Json& value) {
   const Property* const property = FindProperty(name);
   if (property == nullptr) throw WrongArgument("there is no property " + std::string(name));
-  if (std::optional<double>* const* maybe =
-          std::get_if<std::optional<double>*>(&property->value);
+  if (std::optional<double>* const* maybe = std::get_if<std::optional<double>*>(&property->value);
       maybe != nullptr && value.IsNull()) {
     (*maybe)->reset();
     return PropertyChanged();

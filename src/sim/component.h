@@ -103,8 +103,8 @@ class Component {
     mount_euler_ = euler;
   }
 
-  /// The component that it is mounted on; nullptr: the robot itself. To be called before the run, in
-  /// the order from the robot outwards.
+  /// The component that it is mounted on; nullptr: the robot itself. To be called before the run,
+  /// in the order from the robot outwards.
   void set_parent(Component* parent);
   Component* parent() const { return parent_; }
   /// Does anything that it is mounted on move it?

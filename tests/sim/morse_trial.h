@@ -17,8 +17,9 @@ inline constexpr double kStep = 1.0 / 60.0;  // s
 
 // A robot "robot" of half a metre at `pose` on an empty floor of 40 m around the origin, that goes
 // wherever it is told; `more` follows its members, `scene` those of the scenario.
-inline std::string Scene(const std::string& components, const std::string& pose = R"({"x": 0, "y": 0})",
-                  const std::string& others = "", const std::string& scene = "") {
+inline std::string Scene(const std::string& components,
+                         const std::string& pose = R"({"x": 0, "y": 0})",
+                         const std::string& others = "", const std::string& scene = "") {
   const std::string body = R"("type": "Custom", "body": {"footprint":
       [[0.25, -0.25], [0.25, 0.25], [-0.25, 0.25], [-0.25, -0.25]], "hull": [{"outline":
       [[0.25, -0.25], [0.25, 0.25], [-0.25, 0.25], [-0.25, -0.25]], "bottom": 0, "top": 1}],
@@ -30,7 +31,8 @@ inline std::string Scene(const std::string& components, const std::string& pose 
 }
 
 // Another robot, without components.
-inline std::string Other(const std::string& name, double x, double y, const std::string& more = "") {
+inline std::string Other(const std::string& name, double x, double y,
+                         const std::string& more = "") {
   return R"(, {"name": ")" + name + R"(", "pose": {"x": )" + std::to_string(x) + R"(, "y": )" +
          std::to_string(y) + R"(}, "type": "Custom", "body": {"footprint":
       [[0.25, -0.25], [0.25, 0.25], [-0.25, 0.25], [-0.25, -0.25]], "origin_height": 0.1},
@@ -89,7 +91,7 @@ class Trial {
 };
 
 inline void ExpectVector(const Json& data, const char* field, double x, double y, double z,
-                  double within = 1e-9) {
+                         double within = 1e-9) {
   const Json::Array& v = data.Find(field)->AsArray();
   ASSERT_EQ(v.size(), 3U);
   EXPECT_NEAR(v[0].AsDouble(), x, within) << field;

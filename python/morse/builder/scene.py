@@ -255,6 +255,10 @@ def _component(component, robot, name, frame):
         given = _given_properties(component, set(entry["properties"]))
         if given:
             result["properties"] = given
+    if kind == "IMU" and any(Environment.current.property_value(needed) is None
+                             for needed in ("longitude", "latitude", "altitude")):
+        places.note("%s: it has no magnetic field, as the environment has no longitude, latitude "
+                    "and altitude" % full, component.place)
     if kind == "Keyboard":
         result["services"] = True  # the view's keys come that way
     modifiers = [made for made in (_modifier(modifier, full) for modifier in component.modifiers)

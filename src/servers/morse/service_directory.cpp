@@ -315,7 +315,7 @@ void ServiceDirectory::AddComponentServices(sim::Component& component) {
                            const char* const type = value.IsBool()     ? "bool"
                                                     : value.IsInt()    ? "int"
                                                     : value.IsNumber() ? "float"
-                                                       : value.IsNull()   ? "NoneType"
+                                                    : value.IsNull()   ? "NoneType"
                                                                        : "string";
                            properties.Set(key, Json::Array{value, type, "", key});
                          }

@@ -25,8 +25,8 @@ Arucomarker::Arucomarker(Robot& robot, const std::string& name)
   AddProperty("zoffset", z_offset_, -kFarthest, kFarthest);
   AddQuery({"get_world_position", {}, [this](Arguments) { return Listed(WorldPosition()); }});
   AddQuery({"get_local_position", {}, [this](Arguments) {
-              return Listed(RotateBack(OfRobot(this->robot()),
-                                       WorldPosition() - this->robot().position()));
+              return Listed(
+                  RotateBack(OfRobot(this->robot()), WorldPosition() - this->robot().position()));
             }});
   AddQuery({"get_world_orientation", {}, [this](Arguments) { return Rows(WorldRotation()); }});
   AddQuery({"get_local_orientation", {}, [this](Arguments) {

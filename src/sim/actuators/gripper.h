@@ -27,9 +27,9 @@ class Gripper : public Actuator {
   bool Release();
 
   World& world_;
-  double angle_ = 60.0;         // Angle, degrees
-  double distance_ = 0.5;       // Distance, m
-  bool grab_ = false;           // as the data say
+  double angle_ = 60.0;    // Angle, degrees
+  double distance_ = 0.5;  // Distance, m
+  bool grab_ = false;      // as the data say
   SceneObject* held_ = nullptr;
 };
 

@@ -36,26 +36,28 @@ Ptu::Ptu(Robot& robot, const std::string& name, const World& world)
   AddProperty("Speed", speed_, 0.0, 1e6);
   AddProperty("Tolerance", tolerance_, 0.0, kPi);
   AddProperty("Manual", manual_);
-  AddService({"set_pan_tilt", {{"pan"}, {"tilt"}}, nullptr,
-              [this](Arguments arguments, Completion done) {
-                Start(AngleArgument(arguments, 0, "pan"), AngleArgument(arguments, 1, "tilt"),
-                      std::move(done));
-              }});
-  AddService({"look_at_point", {{"x"}, {"y"}, {"z"}}, nullptr,
+  AddService(
+      {"set_pan_tilt", {{"pan"}, {"tilt"}}, nullptr, [this](Arguments arguments, Completion done) {
+         Start(AngleArgument(arguments, 0, "pan"), AngleArgument(arguments, 1, "tilt"),
+               std::move(done));
+       }});
+  AddService({"look_at_point",
+              {{"x"}, {"y"}, {"z"}},
+              nullptr,
               [this](Arguments arguments, Completion done) {
                 LookAt({NumberArgument(arguments, 0, "x"), NumberArgument(arguments, 1, "y"),
                         NumberArgument(arguments, 2, "z")},
                        std::move(done));
               }});
-  AddService({"look_at_object", {{"obj_name"}}, nullptr,
-              [this](Arguments arguments, Completion done) {
-                const std::string& wanted = StringArgument(arguments, 0, "obj_name");
-                const SceneObject* const object = world_.objects().Find(wanted);
-                if (object == nullptr) {
-                  throw ServiceFailed("Object '" + wanted + "' does not appear in the scene.");
-                }
-                LookAt(object->WorldPosition(), std::move(done));
-              }});
+  AddService(
+      {"look_at_object", {{"obj_name"}}, nullptr, [this](Arguments arguments, Completion done) {
+         const std::string& wanted = StringArgument(arguments, 0, "obj_name");
+         const SceneObject* const object = world_.objects().Find(wanted);
+         if (object == nullptr) {
+           throw ServiceFailed("Object '" + wanted + "' does not appear in the scene.");
+         }
+         LookAt(object->WorldPosition(), std::move(done));
+       }});
   AddQuery({"get_pan_tilt", {}, [this](Arguments) { return Json(Json::Array{pan_, tilt_}); }});
 }
 
@@ -68,9 +70,9 @@ Mount Ptu::Carry(const Mount& at_rest) const {
   const Rotation joints = FromEuler(0.0, tilt_, pan_);
   const Rotation turn = Combined(own.rotation, joints);
   const auto turned = [&](const Vec3& v) { return Rotate(turn, RotateBack(own.rotation, v)); };
-  return Actuator::Carry({own.position + turned(at_rest.position - own.position),
-                          {turned(at_rest.rotation.x), turned(at_rest.rotation.y),
-                           turned(at_rest.rotation.z)}});
+  return Actuator::Carry(
+      {own.position + turned(at_rest.position - own.position),
+       {turned(at_rest.rotation.x), turned(at_rest.rotation.y), turned(at_rest.rotation.z)}});
 }
 
 void Ptu::Start(double pan, double tilt, Completion done) {

@@ -35,12 +35,12 @@ class Ptu : public Actuator {
   void Finish(Outcome outcome);
 
   const World& world_;
-  double speed_ = 1.0;          // Speed, rad/s
+  double speed_ = 1.0;                      // Speed, rad/s
   double tolerance_ = 0.00523598775598298;  // Tolerance, rad
-  bool manual_ = false;         // Manual
-  double pan_ = 0.0;            // where it is
+  bool manual_ = false;                     // Manual
+  double pan_ = 0.0;                        // where it is
   double tilt_ = 0.0;
-  double wanted_pan_ = 0.0;     // where it goes
+  double wanted_pan_ = 0.0;  // where it goes
   double wanted_tilt_ = 0.0;
   Completion pending_;
 };

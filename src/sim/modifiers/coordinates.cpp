@@ -41,7 +41,10 @@ class PlaceModifier : public Modifier {
 class NedModifier : public PlaceModifier {
  public:
   explicit NedModifier(bool inwards)
-      : PlaceModifier([](const Vec3& at) { return Vec3{at.y, at.x, -at.z}; }), inwards_(inwards) {}
+      : PlaceModifier([](const Vec3& at) {
+          return Vec3{at.y, at.x, -at.z};
+        }),
+        inwards_(inwards) {}
 
   void Apply(std::span<const DataField> data, const Instant& now) override {
     PlaceModifier::Apply(data, now);
@@ -66,8 +69,7 @@ Vec3 AsVector(const GeodeticPlace& place) {
 
 Vec3 ToGeocentric(const Vec3& ecef) {
   const double out = std::sqrt(ecef.x * ecef.x + ecef.y * ecef.y);
-  return {Degrees(Atan2(ecef.y, ecef.x)), Degrees(Atan2(ecef.z, out)),
-          std::sqrt(Dot(ecef, ecef))};
+  return {Degrees(Atan2(ecef.y, ecef.x)), Degrees(Atan2(ecef.z, out)), std::sqrt(Dot(ecef, ecef))};
 }
 
 Vec3 FromGeocentric(const Vec3& at) {

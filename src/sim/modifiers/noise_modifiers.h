@@ -24,9 +24,9 @@ class PoseNoise : public Modifier {
   std::array<double, 3> angle_;     // of roll, pitch, yaw, rad
 };
 
-/// MORSE's IMUNoise (specs: morse.md B.5): adds normally distributed numbers to angular_velocity, by
-/// gyro_std, rad/s (0.5), and to linear_acceleration, by accel_std, m/s^2 (0.5). Each deviation is
-/// one number, or an object of them by axis.
+/// MORSE's IMUNoise (specs: morse.md B.5): adds normally distributed numbers to angular_velocity,
+/// by gyro_std, rad/s (0.5), and to linear_acceleration, by accel_std, m/s^2 (0.5). Each deviation
+/// is one number, or an object of them by axis.
 class ImuNoise : public Modifier {
  public:
   ImuNoise(const Noise& noise, const ModifierSettings& settings);
@@ -38,13 +38,14 @@ class ImuNoise : public Modifier {
   std::array<double, 3> accel_;  // m/s^2
 };
 
-/// MORSE's OdometryNoise (specs: morse.md B.5): wheels of another size than believed, and a gyroscope
-/// that drifts. In each sample a factor is drawn about `factor` (1.05), with the deviation
-/// factor_sigma (0), and a drift about gyro_drift (0), rad, with gyro_drift_sigma (0). The way
-/// since the last sample counts times the factor, in the direction that the sum of drifts turns it
-/// to; yaw has the sum of drifts more than it had. So do dS, dx, dy, dyaw, x, y, yaw, vx, vy and
-/// wz, whichever the data have; the speeds are m/s and rad/s, where MORSE 1.4 had its units wrong.
-/// Service reset_noise: the odometry is where it ought to be again, and errs anew from there.
+/// MORSE's OdometryNoise (specs: morse.md B.5): wheels of another size than believed, and a
+/// gyroscope that drifts. In each sample a factor is drawn about `factor` (1.05), with the
+/// deviation factor_sigma (0), and a drift about gyro_drift (0), rad, with gyro_drift_sigma (0).
+/// The way since the last sample counts times the factor, in the direction that the sum of drifts
+/// turns it to; yaw has the sum of drifts more than it had. So do dS, dx, dy, dyaw, x, y, yaw, vx,
+/// vy and wz, whichever the data have; the speeds are m/s and rad/s, where MORSE 1.4 had its units
+/// wrong. Service reset_noise: the odometry is where it ought to be again, and errs anew from
+/// there.
 class OdometryNoise : public Modifier {
  public:
   OdometryNoise(const Noise& noise, const ModifierSettings& settings);
@@ -58,8 +59,8 @@ class OdometryNoise : public Modifier {
   Noise noise_;
   double factor_;
   double factor_sigma_;
-  double drift_;        // rad a sample
-  double drift_sigma_;  // rad
+  double drift_;            // rad a sample
+  double drift_sigma_;      // rad
   double turned_ = 0.0;     // rad, sum of drifts
   bool begun_ = false;      // there is a sample to count from
   double last_time_ = 0.0;  // s, of it

@@ -220,8 +220,8 @@ Component& AddComponent(Robot& robot, const scene::ComponentDef& def,
   throw Error("there is no component of type '" + def.type + "'");
 }
 
-// Has each of the robot's components from the `first` on know what it is mounted on: "arm.tool" sits
-// on "arm", where there is one, else on the robot.
+// Has each of the robot's components from the `first` on know what it is mounted on: "arm.tool"
+// sits on "arm", where there is one, else on the robot.
 void MountComponents(Robot& robot, std::size_t first) {
   std::vector<Component*> inner_first;
   for (std::size_t i = first; i < robot.components().size(); ++i) {

@@ -12,7 +12,8 @@ Vec3 AsVector(const std::array<double, 3>& parts) { return {parts[0], parts[1], 
 }  // namespace
 
 Imu::Imu(Robot& robot, const std::string& name, const scene::Scenario& scenario)
-    : Sensor(robot, name, "IMU", 60.0), motion_(*this), felt_(*this, scenario) {
+    : Sensor(robot, name, "IMU", 60.0), motion_(*this) {
+  if (scenario.geodesy) felt_.emplace(*this, scenario);
   AddProperty("ComputationMode", mode_, SensorMotion::Modes());
   AddData("angular_velocity", angular_velocity_);
   AddData("linear_acceleration", acceleration_);
@@ -24,7 +25,7 @@ void Imu::Sample(const Instant& now) {
   const Vec3& turning = motion.angular_velocity;
   const Vec3 felt = RotateBack(motion.place.rotation, motion.acceleration + Vec3{0, 0, kGravity}) +
                     motion.lever_acceleration;
-  const Vec3 field = felt_.Now({});
+  const Vec3 field = felt_ ? felt_->Now({}) : Vec3{};
   angular_velocity_ = {turning.x, turning.y, turning.z};
   acceleration_ = {felt.x, felt.y, felt.z};
   magnetic_field_ = {field.x, field.y, field.z};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "scene/scenario.h"
@@ -15,7 +16,7 @@ namespace ccmorse::sim {
 /// `magnetic_field`, nT, as the Magnetometer has it. 60 Hz.
 class Imu : public Sensor {
  public:
-  /// Throws Error where the scenario does not say where on the Earth the world lies.
+  /// Where the scenario does not say where on the Earth the world lies there is no magnetic field.
   Imu(Robot& robot, const std::string& name, const scene::Scenario& scenario);
   void Sample(const Instant& now) override;
   void AddToHash(StateHash& hash) const override;
@@ -26,7 +27,7 @@ class Imu : public Sensor {
 
   std::string mode_ = "Automatic";  // ComputationMode
   SensorMotion motion_;
-  FeltField felt_;
+  std::optional<FeltField> felt_;
   std::array<double, 3> angular_velocity_{};
   std::array<double, 3> acceleration_{};
   std::array<double, 3> magnetic_field_{};

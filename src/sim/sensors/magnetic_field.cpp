@@ -48,8 +48,8 @@ void Compute(Legendre& of, double sine, double cosine, int degree) {
       const double twice = 2.0 * n - 1.0;
       const auto older = [&](const Table& table) { return n >= 2 ? table(n - 2, m) : 0.0; };
       p(n, m) = scale * (twice * cosine * p(n - 1, m) - before * older(p));
-      dp(n, m) = scale * (twice * (cosine * dp(n - 1, m) - sine * p(n - 1, m)) -
-                          before * older(dp));
+      dp(n, m) =
+          scale * (twice * (cosine * dp(n - 1, m) - sine * p(n - 1, m)) - before * older(dp));
       if (m > 0) q(n, m) = scale * (twice * cosine * q(n - 1, m) - before * older(q));
     }
   }
@@ -88,7 +88,7 @@ Vec3 MagneticField::NorthEastDown(const GeodeticPlace& place, double year) const
   }
   // The ellipsoid's down is not the sphere's.
   const auto [slat, clat] = SinCos(Radians(place.latitude));
-  const double turn_sine = cosine * clat - sine * slat;    // of geocentric less geodetic latitude
+  const double turn_sine = cosine * clat - sine * slat;  // of geocentric less geodetic latitude
   const double turn_cosine = sine * clat + cosine * slat;
   return {field.x * turn_cosine - field.z * turn_sine, field.y,
           field.x * turn_sine + field.z * turn_cosine};

@@ -15,8 +15,9 @@ class MagneticField {
  public:
   explicit MagneticField(const scene::MagneticFieldDef& def);
 
-  /// North, east and down, nT, at a place, in a year with its decimals: the terms change evenly from
-  /// their epoch on, for as long as anybody asks. At the poles north is along the longitude given.
+  /// North, east and down, nT, at a place, in a year with its decimals: the terms change evenly
+  /// from their epoch on, for as long as anybody asks. At the poles north is along the longitude
+  /// given.
   Vec3 NorthEastDown(const GeodeticPlace& place, double year) const;
 
  private:

@@ -26,8 +26,8 @@ FeltField::FeltField(const Component& component, const scene::Scenario& scenario
 
 Vec3 FeltField::Now(const std::optional<double>& year) const {
   const MountPlace here = PlaceOfMount(component_);
-  return RotateBack(here.rotation, field_.NorthEastDown(earth_.PlaceOf(here.position),
-                                                        year.value_or(date_)));
+  return RotateBack(here.rotation,
+                    field_.NorthEastDown(earth_.PlaceOf(here.position), year.value_or(date_)));
 }
 
 Magnetometer::Magnetometer(Robot& robot, const std::string& name, const scene::Scenario& scenario)

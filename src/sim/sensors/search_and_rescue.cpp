@@ -63,12 +63,10 @@ SearchAndRescue::SearchAndRescue(Robot& robot, const std::string& name, World& w
   AddQuery({"get_victim_requirements", {}, [this](Arguments) {
               return ListOf(Requirements(*Nearest().object));
             }});
-  AddQuery({"get_victim_severity", {}, [this](Arguments) {
-              return Json(Severity(*Nearest().object));
-            }});
-  AddService({"heal", {}, nullptr, [this](Arguments, Completion done) {
-                StartHealing(std::move(done));
-              }});
+  AddQuery(
+      {"get_victim_severity", {}, [this](Arguments) { return Json(Severity(*Nearest().object)); }});
+  AddService(
+      {"heal", {}, nullptr, [this](Arguments, Completion done) { StartHealing(std::move(done)); }});
 }
 
 // Nobody is left to answer when the simulation is taken down.
@@ -89,9 +87,9 @@ std::vector<SearchAndRescue::Victim> SearchAndRescue::Look() {
 
 SearchAndRescue::Victim SearchAndRescue::Nearest() {
   const std::vector<Victim> seen = Look();
-  const auto nearest = std::min_element(
-      seen.begin(), seen.end(),
-      [](const Victim& a, const Victim& b) { return a.distance < b.distance; });
+  const auto nearest =
+      std::min_element(seen.begin(), seen.end(),
+                       [](const Victim& a, const Victim& b) { return a.distance < b.distance; });
   if (nearest == seen.end()) throw ServiceFailed("No victim within sight of " + full_name());
   return *nearest;
 }

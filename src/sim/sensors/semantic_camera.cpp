@@ -35,31 +35,26 @@ std::array<Vec3, 2> BoxAround(const SceneObject& object) {
 
 // x, y, z, w; w is not negative.
 std::array<double, 4> ToQuaternion(const Rotation& r) {
-  const std::array<double, 4> squares = {
-      1.0 + r.x.x - r.y.y - r.z.z, 1.0 - r.x.x + r.y.y - r.z.z, 1.0 - r.x.x - r.y.y + r.z.z,
-      1.0 + r.x.x + r.y.y + r.z.z};
+  const std::array<double, 4> squares = {1.0 + r.x.x - r.y.y - r.z.z, 1.0 - r.x.x + r.y.y - r.z.z,
+                                         1.0 - r.x.x - r.y.y + r.z.z, 1.0 + r.x.x + r.y.y + r.z.z};
   // From the largest, as the square root of a small one is not exact.
-  const auto largest = static_cast<std::size_t>(
-      std::max_element(squares.begin(), squares.end()) - squares.begin());
+  const auto largest =
+      static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
   const double twice = std::sqrt(squares[largest]);
   const double share = 0.5 / twice;
   std::array<double, 4> q{};
   switch (largest) {
     case 0:
-      q = {0.5 * twice, share * (r.x.y + r.y.x), share * (r.x.z + r.z.x),
-           share * (r.y.z - r.z.y)};
+      q = {0.5 * twice, share * (r.x.y + r.y.x), share * (r.x.z + r.z.x), share * (r.y.z - r.z.y)};
       break;
     case 1:
-      q = {share * (r.x.y + r.y.x), 0.5 * twice, share * (r.y.z + r.z.y),
-           share * (r.z.x - r.x.z)};
+      q = {share * (r.x.y + r.y.x), 0.5 * twice, share * (r.y.z + r.z.y), share * (r.z.x - r.x.z)};
       break;
     case 2:
-      q = {share * (r.x.z + r.z.x), share * (r.y.z + r.z.y), 0.5 * twice,
-           share * (r.x.y - r.y.x)};
+      q = {share * (r.x.z + r.z.x), share * (r.y.z + r.z.y), 0.5 * twice, share * (r.x.y - r.y.x)};
       break;
     default:
-      q = {share * (r.y.z - r.z.y), share * (r.z.x - r.x.z), share * (r.x.y - r.y.x),
-           0.5 * twice};
+      q = {share * (r.y.z - r.z.y), share * (r.z.x - r.x.z), share * (r.x.y - r.y.x), 0.5 * twice};
   }
   if (q[3] < 0.0) {
     for (double& part : q) part = 0.0 - part;
@@ -107,11 +102,11 @@ bool SemanticCamera::IsInView(const SceneObject& object, const Vec3& camera,
   std::array<bool, 6> all_beyond{};
   all_beyond.fill(true);
   for (unsigned corner = 0; corner < 8; ++corner) {
-    const Vec3 at = RotateBack(view, Vec3{box[corner & 1U].x, box[corner >> 1U & 1U].y,
-                                          box[corner >> 2U & 1U].z} -
-                                         camera);
-    const std::array<bool, 6> beyond = {at.x < near_,       at.x > far_,        at.y > wide * at.x,
-                                        at.y < -wide * at.x, at.z > high * at.x, at.z < -high * at.x};
+    const Vec3 at = RotateBack(
+        view,
+        Vec3{box[corner & 1U].x, box[corner >> 1U & 1U].y, box[corner >> 2U & 1U].z} - camera);
+    const std::array<bool, 6> beyond = {at.x<near_, at.x> far_, at.y > wide * at.x,
+                                        at.y<-wide * at.x, at.z> high * at.x, at.z < -high * at.x};
     for (std::size_t i = 0; i < beyond.size(); ++i) all_beyond[i] = all_beyond[i] && beyond[i];
   }
   return std::none_of(all_beyond.begin(), all_beyond.end(), [](bool beyond) { return beyond; });
@@ -182,12 +177,12 @@ void SemanticCamera::AppendFields(std::string& out) const {
   for (const Seen& seen : seen_) {
     const std::string label = TextOf(*seen.object, "Label");
     const auto [x, y, z, w] = ToQuaternion(seen.rotation);
-    objects.emplace_back(Json::Object{
-        {"name", label.empty() ? seen.object->name : label},
-        {"description", TextOf(*seen.object, "Description")},
-        {"type", TextOf(*seen.object, "Type")},
-        {"position", Json::Array{seen.position.x, seen.position.y, seen.position.z}},
-        {"orientation", Json::Object{{"x", x}, {"y", y}, {"z", z}, {"w", w}}}});
+    objects.emplace_back(
+        Json::Object{{"name", label.empty() ? seen.object->name : label},
+                     {"description", TextOf(*seen.object, "Description")},
+                     {"type", TextOf(*seen.object, "Type")},
+                     {"position", Json::Array{seen.position.x, seen.position.y, seen.position.z}},
+                     {"orientation", Json::Object{{"x", x}, {"y", y}, {"z", z}, {"w", w}}}});
   }
   out += ", \"visible_objects\": " + Json(std::move(objects)).Dump();
 }

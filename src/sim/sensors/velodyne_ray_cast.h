@@ -6,8 +6,8 @@
 
 namespace ccmorse::sim {
 
-/// MORSE's VelodyneRayCast (specs: morse.md B.2), a scanner whose fan stands upright, tilted down by
-/// 12 degrees, and turns by 0.01745 rad to the left about its mount's z after each activation:
+/// MORSE's VelodyneRayCast (specs: morse.md B.2), a scanner whose fan stands upright, tilted down
+/// by 12 degrees, and turns by 0.01745 rad to the left about its mount's z after each activation:
 /// LaserScannerRotationZ. Ranges and points are listed from the lowest beam upwards; points are in
 /// the frame that turns and is tilted, whose x looks out of the middle of the fan.
 class VelodyneRayCast : public LaserScanner {
