@@ -660,6 +660,20 @@ OwnDef ReadOwn(const Field& field) {
   return own;
 }
 
+ModifierDef ReadModifier(const Field& field) {
+  ObjectReader reader(field);
+  ModifierDef modifier;
+  modifier.type = reader.Require("type").Choice(ModifierTypes());
+  if (reader.Has("settings")) modifier.settings = ReadProperties(reader.Require("settings"));
+  reader.Finish();
+  return modifier;
+}
+
+// Has the settings of a scanner.
+bool HasLaser(const ComponentDef& component) {
+  return component.type == "LaserScanner" || component.type == "VelodyneRayCast";
+}
+
 ComponentDef ReadComponent(const Field& field) {
   ObjectReader reader(field);
   ComponentDef component;
@@ -679,7 +693,7 @@ ComponentDef ReadComponent(const Field& field) {
     if (component.type != "Pose") reader.Require("noise").FailHere("is for a Pose; remove it");
     component.noise = ReadPoseNoise(reader.Require("noise"));
   }
-  if (component.type == "LaserScanner" && !component.own) {
+  if (HasLaser(component) && !component.own) {
     LaserDef laser = MorseLaser(30.0, 180.0, 1.0);  // MORSE's own defaults (specs: morse.md B.2)
     laser.frequency = component.frequency;
     laser.position = component.position;
@@ -701,6 +715,11 @@ ComponentDef ReadComponent(const Field& field) {
     component.level = level.Choice(levels);
   }
   if (reader.Has("properties")) component.properties = ReadProperties(reader.Require("properties"));
+  if (reader.Has("modifiers")) {
+    for (const Field& modifier : reader.Require("modifiers").Items()) {
+      component.modifiers.push_back(ReadModifier(modifier));
+    }
+  }
   reader.Finish();
   return component;
 }
@@ -840,6 +859,42 @@ PhysicsDef ReadPhysics(const Field& field) {
   physics.friction = reader.Number("friction", physics.friction, {0.0, 1000.0});
   reader.Finish();
   return physics;
+}
+
+// {"file": ...} of a World Magnetic Model, or {"epoch", "terms"}; and "date".
+MagneticFieldDef ReadMagneticField(const Field& field) {
+  ObjectReader reader(field);
+  constexpr Range kYear{1.0, 9999.0};
+  constexpr Range kTeslas{-1e6, 1e6};
+  MagneticFieldDef magnetic;
+  if (reader.Has("file")) {
+    const Field file = reader.Require("file");
+    try {
+      const std::filesystem::path beside = std::filesystem::path(file.file()).parent_path();
+      magnetic = LoadMagneticField((beside / file.Text()).string());
+    } catch (const Error& error) {
+      file.Fail(error.what());
+    }
+  } else if (reader.Has("terms")) {
+    magnetic.epoch = reader.Require("epoch").Number(kYear);
+    magnetic.date = magnetic.epoch;
+    magnetic.terms.clear();
+    for (const Field& item : reader.Require("terms").Items()) {
+      const std::vector<Field> parts = item.Items();
+      if (parts.size() != 6) item.FailHere("must be [n, m, g, h, g's change, h's change]");
+      MagneticTerm term;
+      term.degree = static_cast<int>(parts[0].Integer(1, kMostMagneticDegree));
+      term.order = static_cast<int>(parts[1].Integer(0, term.degree));
+      term.g = parts[2].Number(kTeslas);
+      term.h = parts[3].Number(kTeslas);
+      term.g_rate = parts[4].Number(kTeslas);
+      term.h_rate = parts[5].Number(kTeslas);
+      magnetic.terms.push_back(term);
+    }
+  }
+  magnetic.date = reader.Number("date", magnetic.date, kYear);
+  reader.Finish();
+  return magnetic;
 }
 
 // A robot of type Custom says itself what the model of another type would.
@@ -1117,6 +1172,9 @@ Scenario ReadScenario(const Json& json, const std::string& file) {
   }
   if (reader.Has("geodesy")) scenario.geodesy = ReadGeodesy(reader.Require("geodesy"));
   if (reader.Has("physics")) scenario.physics = ReadPhysics(reader.Require("physics"));
+  if (reader.Has("magnetic_field")) {
+    scenario.magnetic_field = ReadMagneticField(reader.Require("magnetic_field"));
+  }
   if (reader.Has("obstacles")) {
     scenario.obstacles = ReadObstacles(reader.Require("obstacles"), scenario.world);
   }
@@ -1285,10 +1343,19 @@ Json ComponentToJson(const ComponentDef& component) {
     object.emplace_back("noise", Json::Object{{"pos_std", component.noise.pos_std},
                                               {"rot_std", component.noise.rot_std}});
   }
-  if (component.type == "LaserScanner" && !component.own)
+  if (HasLaser(component) && !component.own) {
     object.emplace_back("laser", LaserToJson(component.laser));
+  }
   if (!component.level.empty()) object.emplace_back("level", component.level);
   AddProperties(object, component.properties);
+  if (!component.modifiers.empty()) {
+    Json::Array modifiers;
+    for (const ModifierDef& modifier : component.modifiers) {
+      modifiers.emplace_back(
+          Json::Object{{"type", modifier.type}, {"settings", modifier.settings}});
+    }
+    object.emplace_back("modifiers", std::move(modifiers));
+  }
   return object;
 }
 
@@ -1309,6 +1376,15 @@ Json ZoneToJson(const ZoneDef& zone) {
   return Json::Object{{"type", zone.type},
                       {"position", VectorToJson(zone.position)},
                       {"half_size", VectorToJson(zone.half_size)}};
+}
+
+Json MagneticFieldToJson(const MagneticFieldDef& field) {
+  Json::Array terms;
+  for (const MagneticTerm& term : field.terms) {
+    terms.emplace_back(
+        Json::Array{term.degree, term.order, term.g, term.h, term.g_rate, term.h_rate});
+  }
+  return Json::Object{{"epoch", field.epoch}, {"date", field.date}, {"terms", std::move(terms)}};
 }
 
 Json GeodesyToJson(const GeodesyDef& geodesy) {
@@ -1401,24 +1477,32 @@ std::vector<std::string> PlaceProblems(const Scenario& scenario) {
 const std::vector<std::string>& ComponentTypes() {
   static const std::vector<std::string> types = {"Accelerometer",
                                                  "Airspeed",
+                                                 "Arucomarker",
                                                  "Attitude",
                                                  "Barometer",
                                                  "Battery",
                                                  "Clock",
                                                  "Collision",
+                                                 "CompoundSensor",
                                                  "Destination",
                                                  "Drag",
                                                  "ExternalForce",
                                                  "ForceTorque",
                                                  "GPS",
+                                                 "Gripper",
                                                  "Gyroscope",
+                                                 "IMU",
+                                                 "Keyboard",
                                                  "LaserScanner",
                                                  "Light",
+                                                 "Magnetometer",
                                                  "MotionVW",
                                                  "MotionVWDiff",
                                                  "MotionXYW",
                                                  "Odometry",
                                                  "Orientation",
+                                                 "PTU",
+                                                 "PTUPosture",
                                                  "Pen",
                                                  "Pose",
                                                  "Proximity",
@@ -1428,13 +1512,23 @@ const std::vector<std::string>& ComponentTypes() {
                                                  "RotorcraftAttitude",
                                                  "RotorcraftVelocity",
                                                  "RotorcraftWaypoint",
+                                                 "SearchAndRescue",
+                                                 "SemanticCamera",
                                                  "Sound",
                                                  "StabilizedQuadrotor",
                                                  "SteerForce",
                                                  "Teleport",
                                                  "Thermometer",
                                                  "Velocity",
+                                                 "VelodyneRayCast",
                                                  "Waypoint"};
+  return types;
+}
+
+const std::vector<std::string>& ModifierTypes() {
+  static const std::vector<std::string> types = {"ECEF",          "IMUNoise",   "NED",
+                                                 "OdometryNoise", "PoseNoise",  "UTM",
+                                                 "feet",          "geocentric", "geodetic"};
   return types;
 }
 
@@ -1513,6 +1607,9 @@ Json ToJson(const Scenario& scenario) {
     object.emplace_back("physics", Json::Object{{"gravity", scenario.physics->gravity},
                                                 {"substeps", scenario.physics->substeps},
                                                 {"friction", scenario.physics->friction}});
+  }
+  if (scenario.magnetic_field != MagneticFieldDef{}) {
+    object.emplace_back("magnetic_field", MagneticFieldToJson(scenario.magnetic_field));
   }
   if (scenario.player) object.emplace_back("player", PlayerSetupToJson(*scenario.player));
   if (scenario.multinode) object.emplace_back("multinode", MultinodeToJson(*scenario.multinode));

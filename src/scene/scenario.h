@@ -10,6 +10,7 @@
 #include "base/image.h"
 #include "base/json.h"
 #include "base/pose.h"
+#include "scene/magnetic_field.h"
 #include "scene/player/player_setup.h"
 
 namespace ccmorse::scene {
@@ -244,6 +245,16 @@ struct OwnDef {
   Json properties = Json(Json::Object{});  ///< name to value as delivered: number, text or flag
   std::vector<OwnServiceDef> services;
 };
+/// Something that changes a component's numbers on their way out, or an actuator's on their way in:
+/// MORSE's alter() (specs: morse.md B.5; docs/morse.md, Modifiers).
+struct ModifierDef {
+  std::string type;  ///< one of ModifierTypes()
+  /// By MORSE's names, an object; what is not there has its default.
+  Json settings = Json(Json::Object{});
+};
+
+/// The types of modifier that the simulator has, sorted.
+const std::vector<std::string>& ModifierTypes();
 
 /// One device of a robot that has others than those of its type, as a MORSE builder script mounts
 /// it (specs: morse.md C.2; docs/morse.md).
@@ -256,12 +267,13 @@ struct ComponentDef {
   bool stream = true;       ///< has a port of its own (MORSE's add_stream)
   bool services = true;     ///< answers on the service port (MORSE's add_service)
   PoseNoiseDef noise;       ///< of a Pose
-  LaserDef laser;           ///< of a LaserScanner; mounted and timed as above
+  LaserDef laser;           ///< of a LaserScanner or VelodyneRayCast; mounted, timed as above
   std::string level;        ///< of realism, one of LevelsOf(type); "": the one as delivered
   /// MORSE's properties that differ from what the type is delivered with, by MORSE's names, an
   /// object; those that the simulator's type has not are of no effect.
   Json properties = Json(Json::Object{});
   std::optional<OwnDef> own;  ///< the user's code, where it is none of the simulator's types
+  std::vector<ModifierDef> modifiers;  ///< in the order in which they work
 };
 
 /// The types of component that the simulator has, sorted, by MORSE's names.
@@ -436,6 +448,7 @@ struct Scenario {
   std::vector<ZoneDef> zones;
   std::optional<GeodesyDef> geodesy;  ///< where it is said
   std::optional<PhysicsDef> physics;  ///< where it is said
+  MagneticFieldDef magnetic_field;    ///< of the Earth: a dipole where none is given
   ObstacleRules obstacles;
   std::vector<RobotDef> robots;
   CanvasDef canvas;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/euler.h"
+#include "sim/modifiers/modifier.h"
 #include "sim/robots/robot.h"
 
 namespace ccmorse::sim {
@@ -11,6 +13,13 @@ namespace {
 
 constexpr std::size_t kMostQuoted = 40;     // bytes of a wrong value in a message
 constexpr std::size_t kLongestText = 1024;  // bytes of a property
+
+template <typename T>
+Json AsJson(const T& value) {
+  return Json(value);
+}
+
+Json AsJson(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 }  // namespace
 
@@ -20,6 +29,46 @@ Component::Component(Robot& robot, const std::string& name, std::string type, do
       full_name_(robot.name() + "." + name),
       type_(std::move(type)),
       frequency_(frequency) {}
+
+Component::~Component() = default;
+
+Vec3 Component::mount_euler() const {
+  return is_carried() ? ToEuler(CarriedMount().rotation) : mount_euler_;
+}
+
+void Component::set_parent(Component* parent) {
+  parent_ = parent;
+  moves_ = moves_ || is_carried();
+}
+
+void Component::AddModifier(std::unique_ptr<Modifier> modifier) {
+  for (Service& service : modifier->Services()) AddService(std::move(service));
+  modifiers_.push_back(std::move(modifier));
+}
+
+void Component::Modify(std::span<const DataField> data, const Instant& now) {
+  for (const auto& modifier : modifiers_) modifier->Apply(data, now);
+}
+
+void Actuator::Take(const Json& message) {
+  if (!is_modified() || !message.IsObject()) return Receive(message);
+  Json changed = message;
+  std::vector<double> numbers;
+  for (const auto& [key, value] : changed.AsObject()) {
+    numbers.push_back(value.IsNumber() ? value.AsDouble() : 0.0);
+  }
+  std::vector<DataField> data;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto& [key, value] = changed.AsObject()[i];
+    if (value.IsNumber()) data.push_back({key, {&numbers[i], 1}});
+  }
+  Modify(data, {});
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    Json& value = changed.AsObject()[i].second;
+    if (value.IsNumber()) value = Json(numbers[i]);
+  }
+  Receive(changed);
+}
 
 bool Component::TakeDue(const Instant& now, double base_frequency) {
   if (now.tick < next_tick_) return false;
@@ -49,9 +98,15 @@ void Component::Reset() {
   next_tick_ = 0;
   timestamp_ = 0.0;
   text_valid_ = false;
+  for (const auto& modifier : modifiers_) modifier->Reset();
 }
 
 void Component::AddProperty(const char* name, double& value, double low, double high) {
+  properties_.push_back({name, &value, low, high, {}});
+}
+
+void Component::AddProperty(const char* name, std::optional<double>& value, double low,
+                            double high) {
   properties_.push_back({name, &value, low, high, {}});
 }
 
@@ -73,7 +128,7 @@ const Component::Property* Component::FindProperty(std::string_view name) const 
 Json Component::Properties() const {
   Json properties(Json::Object{});
   for (const Property& one : properties_) {
-    std::visit([&](const auto* value) { properties.Set(one.name, Json(*value)); }, one.value);
+    std::visit([&](const auto* value) { properties.Set(one.name, AsJson(*value)); }, one.value);
   }
   return properties;
 }
@@ -81,6 +136,11 @@ Json Component::Properties() const {
 void Component::SetProperty(std::string_view name, const Json& value) {
   const Property* const property = FindProperty(name);
   if (property == nullptr) throw WrongArgument("there is no property " + std::string(name));
+  if (std::optional<double>* const* maybe = std::get_if<std::optional<double>*>(&property->value);
+      maybe != nullptr && value.IsNull()) {
+    (*maybe)->reset();
+    return PropertyChanged();
+  }
   const auto wrong = [&](const std::string& what) {
     return WrongArgument(property->name + " must be " + what + ", not " +
                          value.Dump().substr(0, kMostQuoted));
@@ -95,6 +155,14 @@ void Component::SetProperty(std::string_view name, const Json& value) {
                   Json(property->high).Dump());
     }
     **number = given;
+  } else if (std::optional<double>* const* maybe =
+                 std::get_if<std::optional<double>*>(&property->value)) {
+    if (!value.IsNumber() || !(value.AsDouble() >= property->low) ||
+        !(value.AsDouble() <= property->high)) {
+      throw wrong("null or a number from " + Json(property->low).Dump() + " to " +
+                  Json(property->high).Dump());
+    }
+    **maybe = value.AsDouble();
   } else if (bool* const* flag = std::get_if<bool*>(&property->value)) {
     if (!value.IsBool()) throw wrong("true or false");
     **flag = value.AsBool();

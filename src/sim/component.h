@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@
 
 namespace ccmorse::sim {
 
+class Modifier;
 class Robot;
 
 /// The instant a tick works on.
@@ -26,13 +28,25 @@ struct Instant {
   double step = 0.0;       ///< s, of one tick
 };
 
+/// Where something sits on a robot, in the robot's frame.
+struct Mount {
+  Vec3 position;  ///< m
+  Rotation rotation;
+};
+
+/// Numbers of a component's data that a modifier may change, by the name that they have there.
+struct DataField {
+  std::string_view name;
+  std::span<double> numbers;  ///< one, or three of a vector
+};
+
 /// A device of a robot, MORSE's sensor or actuator: a name, a rate, data to share and services
 /// (thesis 2.4; specs: morse.md B). Belongs to its robot. Not thread safe.
 class Component {
  public:
   /// `type` is MORSE's class name ("Pose"); `frequency` in Hz of simulated time.
   Component(Robot& robot, const std::string& name, std::string type, double frequency);
-  virtual ~Component() = default;
+  virtual ~Component();
   Component(const Component&) = delete;
   Component& operator=(const Component&) = delete;
 
@@ -72,18 +86,41 @@ class Component {
   /// WrongArgument on a value of another type or out of range, and changes nothing then.
   void SetProperty(std::string_view name, const Json& value);
 
-  /// Where it sits on its robot, m, in the robot's frame.
-  virtual Vec3 mount() const { return mount_; }
+  /// Where it sits on its robot, m, in the robot's frame: now, as a component that it is mounted on
+  /// may move it.
+  virtual Vec3 mount() const { return is_carried() ? CarriedMount().position : mount_; }
   /// How it is turned there.
   virtual Rotation mount_rotation() const {
-    return FromEuler(mount_euler_.x, mount_euler_.y, mount_euler_.z);
+    return is_carried() ? CarriedMount().rotation : RestMount().rotation;
   }
-  const Vec3& mount_euler() const { return mount_euler_; }  ///< roll, pitch, yaw, rad
+  /// The same as roll, pitch, yaw, rad.
+  Vec3 mount_euler() const;
+  /// Where it sits while nothing of what it is mounted on has moved.
+  Mount RestMount() const {
+    return {mount_, FromEuler(mount_euler_.x, mount_euler_.y, mount_euler_.z)};
+  }
   /// To be called before the run.
   void set_mount(const Vec3& position, const Vec3& euler) {
     mount_ = position;
     mount_euler_ = euler;
   }
+
+  /// The component that it is mounted on; nullptr: the robot itself. To be called before the run,
+  /// in the order from the robot outwards.
+  void set_parent(Component* parent);
+  Component* parent() const { return parent_; }
+  /// Does anything that it is mounted on move it?
+  bool is_carried() const { return parent_ != nullptr && parent_->moves_; }
+  /// Called once it is known what it is mounted on. Throws Error where it cannot be there.
+  virtual void Mounted() {}
+  /// Where what is mounted on it, and would be `at_rest` if nothing had moved, is now. Components
+  /// that move what they carry override it, and end with this.
+  virtual Mount Carry(const Mount& at_rest) const {
+    return parent_ != nullptr ? parent_->Carry(at_rest) : at_rest;
+  }
+
+  /// Has its data changed on their way (MORSE's alter()). To be called before the run.
+  void AddModifier(std::unique_ptr<Modifier> modifier);
 
   /// Whether it has a stream, and services: MORSE's components have only the ones that a script
   /// gave them.
@@ -113,8 +150,21 @@ class Component {
   // set_property changes it. Numbers stay within low..high; an infinite `high` takes infinity, too.
   void AddProperty(const char* name, double& value, double low, double high);
   void AddProperty(const char* name, bool& value);
+  /// Python's None: no value.
+  void AddProperty(const char* name, std::optional<double>& value, double low, double high);
   /// `choices`: what it may be; none: any text.
   void AddProperty(const char* name, std::string& value, std::vector<std::string> choices = {});
+  /// Has modifiers know of numbers of the data, which live in a member of the component.
+  void AddData(std::string_view name, double& number) { data_.push_back({name, {&number, 1}}); }
+  void AddData(std::string_view name, std::span<double> numbers) {
+    data_.push_back({name, numbers});
+  }
+  /// Applies the modifiers to `data`.
+  void Modify(std::span<const DataField> data, const Instant& now);
+  std::span<const DataField> data() const { return data_; }
+  bool is_modified() const { return !modifiers_.empty(); }
+  /// It moves what is mounted on it.
+  void set_moves(bool moves) { moves_ = moves; }
   /// To be called when the data have changed at simulated time `time`, s.
   void DataChanged(double time);
   /// Called when set_property has changed one of them.
@@ -123,13 +173,14 @@ class Component {
  private:
   struct Property {
     std::string name;
-    std::variant<double*, bool*, std::string*> value;
+    std::variant<double*, bool*, std::string*, std::optional<double>*> value;
     double low = 0.0;
     double high = 0.0;
     std::vector<std::string> choices;
   };
 
   const Property* FindProperty(std::string_view name) const;
+  Mount CarriedMount() const { return parent_->Carry(RestMount()); }
 
   /// Appends `"key": value` pairs, each preceded by ", ".
   virtual void AppendFields(std::string& out) const = 0;
@@ -144,12 +195,16 @@ class Component {
   bool served_ = true;
   Vec3 mount_;
   Vec3 mount_euler_;
+  Component* parent_ = nullptr;
+  bool moves_ = false;           // it, or what it is mounted on
   std::uint64_t next_tick_ = 0;  // of its next activation
   double timestamp_ = 0.0;
   bool text_valid_ = false;
   std::string text_;
   std::vector<Service> services_;
   std::vector<Property> properties_;
+  std::vector<DataField> data_;
+  std::vector<std::unique_ptr<Modifier>> modifiers_;
 };
 
 /// What the numbers of a sensor are, in their order.
@@ -166,6 +221,16 @@ class Sensor : public Component {
  public:
   using Component::Component;
   virtual void Sample(const Instant& now) = 0;
+
+  /// An activation: a sample, then what the modifiers make of it.
+  void Activate(const Instant& now) {
+    Sample(now);
+    if (is_modified()) Modify(data(), now);
+  }
+
+  /// Called on one thread after all sensors that were due have sampled: whatever a sample changes
+  /// beside the sensor is changed here.
+  virtual void Conclude(const Instant& /*now*/) {}
 
   /// Called on one thread before sensors that are due sample at the same time: whatever is made
   /// when first needed may be made here. May throw, as Sample() must not.
@@ -196,6 +261,8 @@ class Actuator : public Component {
   /// Takes a message of the actuator's stream (specs: morse.md A.4). Throws WrongArgument and
   /// changes nothing when it is not what the actuator needs.
   virtual void Receive(const Json& message) = 0;
+  /// The same after what its modifiers make of the message's numbers.
+  void Take(const Json& message);
 };
 
 // Helpers for AppendFields.

@@ -41,6 +41,7 @@ Simulation::Simulation(scene::Scenario scenario, int threads, bool share_all)
     dynamics_.emplace(world_, robots_, scenario_.physics.value_or(scene::PhysicsDef{}),
                       scenario_.time.frequency);
   }
+  world_.objects().Set(seen, scenario_.props);
   for (const auto& robot : robots_) {
     Equip(*robot, scenario_, world_, canvas_);
     for (const auto& component : robot->components()) components_.push_back(component.get());
@@ -64,14 +65,18 @@ void Simulation::Sense() {
   const auto sample = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Sensor& sensor = *sampled_[i];
-      sensor.Sample(now);
+      sensor.Activate(now);
       sensor.CountSample();
       sensor.AddToHash(sensor.robot().hash());
     }
   };
   const auto threads = static_cast<std::size_t>(pool_.threads());
+  const auto conclude = [&] {
+    for (Sensor* sensor : sampled_) sensor->Conclude(now);
+  };
   if (threads == 1 || work < shared_from_) {
     sample(0, sampled_.size());
+    conclude();
     return;
   }
   for (Sensor* sensor : sampled_) sensor->Prepare();
@@ -85,6 +90,7 @@ void Simulation::Sense() {
     const auto part = static_cast<std::size_t>(number);
     sample(boundary(part), boundary(part + 1));
   });
+  conclude();
 }
 
 void Simulation::Act() {
@@ -122,6 +128,7 @@ Component* Simulation::FindComponent(std::string_view full_name) const {
 }
 
 void Simulation::ResetObjects() {
+  world_.objects().Reset();
   for (const auto& robot : robots_) robot->Reset();
   arena_->Reset();
   if (dynamics_) dynamics_->Reset();

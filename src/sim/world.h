@@ -11,6 +11,7 @@
 #include "sim/ground.h"
 #include "sim/physics/kinematics.h"
 #include "sim/rays/planar_scan.h"
+#include "sim/scene_objects.h"
 #include "sim/spatial_grid.h"
 
 namespace ccmorse::sim {
@@ -80,6 +81,10 @@ class World {
   void SetRobots(std::vector<const Robot*> robots);
   std::span<const Robot* const> robots() const { return robots_; }
 
+  /// Robots and passive objects by name and property.
+  const SceneObjects& objects() const { return objects_; }
+  SceneObjects& objects() { return objects_; }
+
   /// Robots have moved: cuts made before are stale.
   void RobotsMoved() {
     robots_moved_ = true;
@@ -113,6 +118,7 @@ class World {
   std::uint64_t revision_ = 0;
   std::uint64_t moves_ = 0;  // of robots, so far
   std::vector<const Robot*> robots_;
+  SceneObjects objects_;
   mutable std::vector<std::unique_ptr<Cut>> cuts_;  // a handful: one a height that scanners have
   mutable std::atomic<bool> robots_moved_ = true;
   mutable std::mutex cutting_;      // whoever makes the cuts of the robots anew

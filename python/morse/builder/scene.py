@@ -1,5 +1,6 @@
 """The scene that a script has built, as the scenario that the simulator reads (docs/scenario.md)."""
 
+import datetime
 import json
 import math
 import os
@@ -19,6 +20,19 @@ _AROUND = 5.0  # m of floor around a robot that stands beside it
 # Where on the Earth the world lies: properties of the environment.
 _GEODESY = ("longitude", "latitude", "altitude", "angle_against_north")
 _SYNC_PORT = 6000  # of time_sync, where a script names none
+# MORSE's modifiers by their modules: the simulator's type, and its settings, each with the property
+# of the environment that is asked where alter() says nothing.
+_MODIFIERS = {
+    "ecef": ("ECEF", {}), "feet": ("feet", {}), "geocentric": ("geocentric", {}),
+    "geodetic": ("geodetic", {}), "ned": ("NED", {}),
+    "utm": ("UTM", {"x_offset": "UTMXOffset", "y_offset": "UTMYOffset", "z_offset": "UTMZOffset"}),
+    "pose_noise": ("PoseNoise", {"pos_std": "pos_std", "rot_std": "rot_std", "_2D": "_2D"}),
+    "imu_noise": ("IMUNoise", {"gyro_std": "gyro_std", "accel_std": "accel_std"}),
+    "odometry_noise": ("OdometryNoise", {name: name for name in
+                                         ("factor", "factor_sigma", "gyro_drift",
+                                          "gyro_drift_sigma")}),
+}
+_MAGNETIC = ("IMU", "Magnetometer")  # components that feel the Earth's field
 _SIDEWAYS = ("Destination", "MotionXYW")  # components that take their robot in any direction
 # Components that push their robot, which for them is a body that forces move.
 _BY_FORCES = ("Drag", "ExternalForce", "ForceTorque", "QuadrotorDynamicControl",
@@ -70,6 +84,9 @@ def build():
                if environment.property_value(name) is not None}
     if geodesy:
         scene["geodesy"] = {name: float(value) for name, value in geodesy.items()}
+    if any(component["type"] in _MAGNETIC for robot in scene["robots"]
+           for component in robot["components"]):
+        scene["magnetic_field"] = _magnetic_field(environment)
     for item in AbstractComponent.components:
         if isinstance(item, Zone):
             continue
@@ -380,20 +397,63 @@ def _component(component, robot, name, frame):
         "services": "socket" in component.services}
     if level is not None and levelled:
         result["level"] = level
-    if kind == "LaserScanner":
+    if kind in ("LaserScanner", "VelodyneRayCast"):
         result["laser"] = _laser(component)
     elif entry is not None:
         given = _given_properties(component, set(entry["properties"]))
         if given:
             result["properties"] = given
-    for modifier in component.modifiers:
-        if kind == "Pose" and modifier["classpath"].endswith(".PoseNoiseModifier"):
-            noise = _pose_noise(modifier["settings"])
-            if noise is not None:
-                result["noise"] = noise
-                continue
+    if kind == "IMU" and any(Environment.current.property_value(needed) is None
+                             for needed in ("longitude", "latitude", "altitude")):
+        places.note("%s: it has no magnetic field, as the environment has no longitude, latitude "
+                    "and altitude" % full, component.place)
+    if kind == "Keyboard":
+        result["services"] = True  # the view's keys come that way
+    modifiers = [made for made in (_modifier(modifier, full) for modifier in component.modifiers)
+                 if made is not None]
+    if modifiers:
+        result["modifiers"] = modifiers
+    return result
+
+
+def _modifier(modifier, full):
+    """What alter() has asked for, as the simulator has it; None where it has not."""
+    parts = modifier["classpath"].split(".")
+    if parts[:2] != ["morse", "modifiers"] or len(parts) < 3 or parts[2] not in _MODIFIERS:
         places.note("%s: the modifier %s is not simulated yet" %
                     (full, modifier["name"] or modifier["classpath"]), modifier["place"])
+        return None
+    kind, of_environment = _MODIFIERS[parts[2]]
+    settings = {}
+    for name, property_name in of_environment.items():
+        value = modifier["settings"].get(name)
+        if value is None:
+            value = Environment.current.property_value(property_name)
+        if value is not None:
+            settings[name] = value
+    for name, value in modifier["settings"].items():
+        if name in _GEODESY and kind in ("ECEF", "geodetic", "geocentric"):
+            settings[name] = value
+        elif name not in settings:
+            places.note("%s: the modifier %s has no setting %s" % (full, kind, name),
+                        modifier["place"])
+    return {"type": kind, "settings": settings}
+
+
+def _magnetic_field(environment):
+    """MORSE's model of the Earth's magnetic field, where it is installed, of today."""
+    today = datetime.date.today()
+    first = datetime.date(today.year, 1, 1)
+    year = (datetime.date(today.year + 1, 1, 1) - first).days
+    result = {"date": today.year + (today - first).days / year}
+    for folder in (data.data_folders() +
+                   list(filter(None, os.environ.get("MORSE_RESOURCE_PATH", "").split(":")))):
+        path = os.path.join(folder, "WMM.COF")
+        if os.path.isfile(path):
+            result["file"] = path
+            return result
+    places.note("no WMM.COF is installed (Debian's morse-simulator-data has it): the Earth's "
+                "magnetic field is that of a dipole", environment.place)
     return result
 
 
@@ -439,13 +499,6 @@ def _laser(component):
     if laser["scan_window_deg"] == 270.0 and laser["resolution_deg"] == 0.39589:
         laser["samples"] = 682  # as SyRoTek's robots have it, where counting gives 683
     return laser
-
-
-def _pose_noise(settings):
-    positions, angles = settings.get("pos_std", 0.05), settings.get("rot_std", math.radians(5.0))
-    if isinstance(positions, dict) or isinstance(angles, dict):
-        return None
-    return {"pos_std": float(positions), "rot_std": float(angles)}
 
 
 # The world

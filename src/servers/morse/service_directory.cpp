@@ -177,6 +177,7 @@ Json PropertyTable(const Json& properties) {
     const char* const type = value.IsBool()     ? "bool"
                              : value.IsInt()    ? "int"
                              : value.IsNumber() ? "float"
+                             : value.IsNull()   ? "NoneType"
                                                 : "string";
     table.Set(key, Json::Array{value, type, "", key});
   }
@@ -378,7 +379,7 @@ void ServiceDirectory::Receive(sim::Actuator& actuator, const Json& message) {
   if (input_tap_) {
     input_tap_({Input::Kind::kStream, actuator.full_name(), {}, message.Dump()});
   }
-  actuator.Receive(message);
+  actuator.Take(message);
 }
 
 void ServiceDirectory::Interrupt(std::string_view component) {

@@ -27,6 +27,17 @@ class BeamFan {
   /// Are all beams level when the robot is? Only such a fan can be scanned without tracing rays.
   bool upright() const { return planar_.has_value(); }
 
+  /// Has all of its beams traced from now on, as one must whose mount moves.
+  void Untie() {
+    planar_.reset();
+    directions_.reset();
+  }
+  /// Moves an untied fan on its robot.
+  void Place(const Vec3& position, const Rotation& rotation) {
+    position_ = position;
+    rotation_ = rotation;
+  }
+
   /// Where it sits, in the robot's frame; m.
   const Vec3& position() const { return position_; }
   const Rotation& rotation() const { return rotation_; }

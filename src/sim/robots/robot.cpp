@@ -7,16 +7,20 @@
 #include "base/error.h"
 #include "base/polygon.h"
 #include "base/trig.h"
+#include "sim/actuators/arucomarker.h"
 #include "sim/actuators/destination.h"
 #include "sim/actuators/drag.h"
 #include "sim/actuators/external_force.h"
 #include "sim/actuators/force_torque.h"
+#include "sim/actuators/gripper.h"
+#include "sim/actuators/keyboard.h"
 #include "sim/actuators/light.h"
 #include "sim/actuators/motion_vw.h"
 #include "sim/actuators/motion_vw_diff.h"
 #include "sim/actuators/motion_xyw.h"
 #include "sim/actuators/orientation.h"
 #include "sim/actuators/pen.h"
+#include "sim/actuators/ptu.h"
 #include "sim/actuators/quadrotor_dynamic_control.h"
 #include "sim/actuators/rotorcraft_attitude.h"
 #include "sim/actuators/rotorcraft_velocity.h"
@@ -27,6 +31,7 @@
 #include "sim/actuators/teleport.h"
 #include "sim/actuators/waypoint.h"
 #include "sim/canvas.h"
+#include "sim/modifiers/modifier.h"
 #include "sim/own/own_component.h"
 #include "sim/robots/s1r.h"
 #include "sim/sensors/accelerometer.h"
@@ -36,18 +41,25 @@
 #include "sim/sensors/battery.h"
 #include "sim/sensors/clock.h"
 #include "sim/sensors/collision.h"
+#include "sim/sensors/compound_sensor.h"
 #include "sim/sensors/differential_odometry.h"
 #include "sim/sensors/gps.h"
 #include "sim/sensors/gyroscope.h"
+#include "sim/sensors/imu.h"
 #include "sim/sensors/laser_scanner.h"
+#include "sim/sensors/magnetometer.h"
 #include "sim/sensors/odometry.h"
 #include "sim/sensors/pose.h"
 #include "sim/sensors/proximity.h"
+#include "sim/sensors/ptu_posture.h"
 #include "sim/sensors/radar_altimeter.h"
 #include "sim/sensors/raw_odometry.h"
 #include "sim/sensors/robot_properties.h"
+#include "sim/sensors/search_and_rescue.h"
+#include "sim/sensors/semantic_camera.h"
 #include "sim/sensors/thermometer.h"
 #include "sim/sensors/velocity.h"
+#include "sim/sensors/velodyne_ray_cast.h"
 
 namespace ccmorse::sim {
 namespace {
@@ -302,7 +314,7 @@ void Robot::Reset() {
 namespace {
 
 template <typename T, typename... Needs>
-Component& AddOf(Robot& robot, const scene::ComponentDef& def, const Needs&... needs) {
+Component& AddOf(Robot& robot, const scene::ComponentDef& def, Needs&... needs) {
   return robot.Add(std::make_unique<T>(robot, def.name, needs...));
 }
 
@@ -326,11 +338,15 @@ void SetProperties(Component& component, const Json& properties) {
 }
 
 Component& AddComponent(Robot& robot, const scene::ComponentDef& def,
-                        const scene::Scenario& scenario, const World& world, Canvas& canvas) {
+                        const scene::Scenario& scenario, World& world, Canvas& canvas) {
   if (def.own) return AddOwn(robot, def);
   if (def.type == "LaserScanner") {
     return robot.Add(
         std::make_unique<LaserScanner>(robot, def.name, def.laser, world, scenario.seed));
+  }
+  if (def.type == "VelodyneRayCast") {
+    return robot.Add(
+        std::make_unique<VelodyneRayCast>(robot, def.name, def.laser, world, scenario.seed));
   }
   if (def.type == "Pose") {
     return robot.Add(std::make_unique<PoseSensor>(robot, def.name, scenario.seed, def.noise));
@@ -346,33 +362,43 @@ Component& AddComponent(Robot& robot, const scene::ComponentDef& def,
   if (def.type == "Attitude") return AddOf<Attitude>(robot, def, scenario);
   if (def.type == "Battery") return AddOf<Battery>(robot, def, scenario);
   if (def.type == "Collision") return AddOf<Collision>(robot, def, world);
-  if (def.type == "Proximity") return AddOf<Proximity>(robot, def, scenario, world);
+  if (def.type == "Proximity") return AddOf<Proximity>(robot, def, world);
   if (def.type == "RadarAltimeter") return AddOf<RadarAltimeter>(robot, def, world);
-  if (def.type == "Thermometer") return AddOf<Thermometer>(robot, def, scenario, world);
   if (def.type == "RotorcraftAttitude") return AddOf<RotorcraftAttitude>(robot, def, scenario);
   if (def.type == "RotorcraftVelocity") return AddOf<RotorcraftVelocity>(robot, def, scenario);
   if (def.type == "RotorcraftWaypoint") return AddOf<RotorcraftWaypoint>(robot, def, scenario);
+  if (def.type == "Thermometer") return AddOf<Thermometer>(robot, def, world);
+  if (def.type == "CompoundSensor") return AddOf<CompoundSensor>(robot, def, world);
+  if (def.type == "Gripper") return AddOf<Gripper>(robot, def, world);
+  if (def.type == "IMU") return AddOf<Imu>(robot, def, scenario);
+  if (def.type == "Magnetometer") return AddOf<Magnetometer>(robot, def, scenario);
+  if (def.type == "PTU") return AddOf<Ptu>(robot, def, world);
+  if (def.type == "SearchAndRescue") return AddOf<SearchAndRescue>(robot, def, world);
+  if (def.type == "SemanticCamera") return AddOf<SemanticCamera>(robot, def, world);
   // All others need nothing but their robot and a name.
   using Maker = Component& (*)(Robot&, const scene::ComponentDef&);
   static const std::map<std::string, Maker> makers = {
       {"Accelerometer", AddOf<Accelerometer>},
       {"Airspeed", AddOf<Airspeed>},
+      {"Arucomarker", AddOf<Arucomarker>},
       {"Barometer", AddOf<Barometer>},
       {"Clock", AddOf<Clock>},
       {"Destination", AddOf<Destination>},
       {"Drag", AddOf<Drag>},
       {"ExternalForce", AddOf<ExternalForce>},
       {"ForceTorque", AddOf<ForceTorque>},
-      {"QuadrotorDynamicControl", AddOf<QuadrotorDynamicControl>},
-      {"StabilizedQuadrotor", AddOf<StabilizedQuadrotor>},
-      {"SteerForce", AddOf<SteerForce>},
       {"Gyroscope", AddOf<Gyroscope>},
+      {"Keyboard", AddOf<Keyboard>},
       {"Light", AddOf<Light>},
       {"MotionVW", AddOf<MotionVW>},
       {"MotionVWDiff", AddOf<MotionVWDiff>},
       {"MotionXYW", AddOf<MotionXYW>},
       {"Orientation", AddOf<Orientation>},
+      {"PTUPosture", AddOf<PtuPosture>},
+      {"QuadrotorDynamicControl", AddOf<QuadrotorDynamicControl>},
       {"Sound", AddOf<Sound>},
+      {"StabilizedQuadrotor", AddOf<StabilizedQuadrotor>},
+      {"SteerForce", AddOf<SteerForce>},
       {"Teleport", AddOf<Teleport>},
       {"Velocity", AddOf<Velocity>},
       {"Waypoint", AddOf<Waypoint>}};
@@ -381,18 +407,49 @@ Component& AddComponent(Robot& robot, const scene::ComponentDef& def,
   throw Error("there is no component of type '" + def.type + "'");
 }
 
+// Has each of the robot's components from the `first` on know what it is mounted on: "arm.tool"
+// sits on "arm", where there is one, else on the robot.
+void MountComponents(Robot& robot, std::size_t first) {
+  std::vector<Component*> inner_first;
+  for (std::size_t i = first; i < robot.components().size(); ++i) {
+    inner_first.push_back(robot.components()[i].get());
+  }
+  const auto depth = [](const Component* one) {
+    return std::count(one->name().begin(), one->name().end(), '.');
+  };
+  std::stable_sort(inner_first.begin(), inner_first.end(),
+                   [&](const Component* a, const Component* b) { return depth(a) < depth(b); });
+  for (Component* component : inner_first) {
+    std::string_view holder = component->name();
+    Component* parent = nullptr;
+    while (parent == nullptr && holder.find('.') != std::string_view::npos) {
+      holder = holder.substr(0, holder.rfind('.'));
+      const auto found = std::find_if(inner_first.begin(), inner_first.end(),
+                                      [&](const Component* one) { return one->name() == holder; });
+      if (found != inner_first.end()) parent = *found;
+    }
+    component->set_parent(parent);
+    component->Mounted();
+    component->Reset();  // to show from the start what it has at its place
+  }
+}
+
 }  // namespace
 
-void Equip(Robot& robot, const scene::Scenario& scenario, const World& world, Canvas& canvas) {
+void Equip(Robot& robot, const scene::Scenario& scenario, World& world, Canvas& canvas) {
   if (robot.def().components) {
+    const std::size_t first = robot.components().size();
     for (const scene::ComponentDef& def : *robot.def().components) {
       Component& component = AddComponent(robot, def, scenario, world, canvas);
       component.set_frequency(def.frequency);
       component.set_mount(def.position, def.rotation);
       component.set_interfaces(def.stream, def.services);
       SetProperties(component, def.properties);
-      component.Reset();  // to show from the start what it has at its place
+      for (std::size_t i = 0; i < def.modifiers.size(); ++i) {
+        component.AddModifier(MakeModifier(component, def.modifiers[i], scenario, i));
+      }
     }
+    MountComponents(robot, first);
     return;
   }
   // All types carry the S1R's devices, as far as their scenario mounts them.

@@ -189,6 +189,6 @@ class Robot {
 };
 
 /// Mounts the devices of the robot's type (thesis 4.1.2: "all S1R carry the same devices").
-void Equip(Robot& robot, const scene::Scenario& scenario, const World& world, Canvas& canvas);
+void Equip(Robot& robot, const scene::Scenario& scenario, World& world, Canvas& canvas);
 
 }  // namespace ccmorse::sim

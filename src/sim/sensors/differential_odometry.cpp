@@ -6,7 +6,12 @@
 namespace ccmorse::sim {
 
 DifferentialOdometry::DifferentialOdometry(Robot& robot, const std::string& name)
-    : Sensor(robot, name, "Odometry", 60.0) {}
+    : Sensor(robot, name, "Odometry", 60.0) {
+  AddData("dx", moved_.x);
+  AddData("dy", moved_.y);
+  AddData("dz", moved_.z);
+  AddData("dyaw", turned_);
+}
 
 void DifferentialOdometry::Sample(const Instant& now) {
   const MountPlace here = PlaceOfMount(*this);

@@ -14,11 +14,15 @@ constexpr double kSquare = kEccentricity * kEccentricity;
 Geodesy::Geodesy(const scene::GeodesyDef& def)
     : turn_(SinCos(Radians(90.0 - def.angle_against_north))),
       longitude_(SinCos(Radians(def.longitude))),
-      latitude_(SinCos(Radians(def.latitude))) {
-  const double normal = kEquator / std::sqrt(1.0 - kSquare * latitude_.sin * latitude_.sin);
-  const double out = (normal + def.altitude) * latitude_.cos;
-  origin_ = {out * longitude_.cos, out * longitude_.sin,
-             (normal * (1.0 - kSquare) + def.altitude) * latitude_.sin};
+      latitude_(SinCos(Radians(def.latitude))),
+      origin_(EcefFromGeodetic({def.longitude, def.latitude, def.altitude})) {}
+
+Vec3 Geodesy::EcefFromGeodetic(const GeodeticPlace& place) {
+  const auto [slon, clon] = SinCos(Radians(place.longitude));
+  const auto [slat, clat] = SinCos(Radians(place.latitude));
+  const double normal = kEquator / std::sqrt(1.0 - kSquare * slat * slat);
+  const double out = (normal + place.altitude) * clat;
+  return {out * clon, out * slon, (normal * (1.0 - kSquare) + place.altitude) * slat};
 }
 
 Vec3 Geodesy::ToEnu(const Vec3& world) const {
@@ -26,14 +30,29 @@ Vec3 Geodesy::ToEnu(const Vec3& world) const {
           world.z};
 }
 
-GeodeticPlace Geodesy::PlaceOf(const Vec3& world) const {
-  const Vec3 enu = ToEnu(world);
+Geodesy::Axes Geodesy::LocalAxes() const {
   const auto [slon, clon] = longitude_;
   const auto [slat, clat] = latitude_;
-  const Vec3 east{-slon, clon, 0.0};
-  const Vec3 north{-slat * clon, -slat * slon, clat};
-  const Vec3 up{clat * clon, clat * slon, slat};
-  const Vec3 at = origin_ + enu.x * east + enu.y * north + enu.z * up;
+  return {{-slon, clon, 0.0}, {-slat * clon, -slat * slon, clat}, {clat * clon, clat * slon, slat}};
+}
+
+Vec3 Geodesy::ToEcef(const Vec3& world) const {
+  const Vec3 enu = ToEnu(world);
+  const Axes axes = LocalAxes();
+  return origin_ + enu.x * axes.east + enu.y * axes.north + enu.z * axes.up;
+}
+
+Vec3 Geodesy::FromEcef(const Vec3& ecef) const {
+  const Vec3 off = ecef - origin_;
+  const Axes axes = LocalAxes();
+  const double east = Dot(off, axes.east);
+  const double north = Dot(off, axes.north);
+  return {turn_.cos * east + turn_.sin * north, turn_.cos * north - turn_.sin * east,
+          Dot(off, axes.up)};
+}
+
+GeodeticPlace Geodesy::GeodeticFromEcef(const Vec3& ecef) {
+  const Vec3& at = ecef;
   // Bowring's formula, again and again: near the ground each turn gains some ten digits.
   const double out = std::sqrt(at.x * at.x + at.y * at.y);
   const double flat = std::sqrt(1.0 - kSquare);  // polar by equatorial radius

@@ -25,7 +25,12 @@ const char* TypeOf(const std::string& level) {
 Gps::Gps(Robot& robot, const std::string& name, const std::string& level,
          const scene::Scenario& scenario)
     : Sensor(robot, name, TypeOf(level), 60.0), extended_(level == "extended") {
-  if (level.empty() || level == "simple") return;
+  if (level.empty() || level == "simple") {
+    AddData("x", shown_.x);
+    AddData("y", shown_.y);
+    AddData("z", shown_.z);
+    return;
+  }
   if (!scenario.geodesy) {
     throw Error("the GPS " + full_name() + " of level " + level +
                 " needs to know where on the Earth the world lies: set longitude, latitude and "
@@ -42,7 +47,7 @@ void Gps::Sample(const Instant& now) {
     velocity_ =
         sampled_ && step > 0.0 ? geodesy_->ToEnu((1.0 / step) * (here - position_)) : Vec3{};
   }
-  position_ = here;
+  position_ = shown_ = here;
   last_time_ = now.time;
   sampled_ = true;
   DataChanged(now.time);
@@ -50,23 +55,23 @@ void Gps::Sample(const Instant& now) {
 
 void Gps::Reset() {
   Sensor::Reset();
-  position_ = {};
+  position_ = shown_ = {};
   place_ = {};
   velocity_ = {};
   sampled_ = false;
 }
 
 void Gps::AddToHash(StateHash& hash) const {
-  hash.Add(position_.x);
-  hash.Add(position_.y);
-  hash.Add(position_.z);
+  hash.Add(shown_.x);
+  hash.Add(shown_.y);
+  hash.Add(shown_.z);
 }
 
 void Gps::AppendFields(std::string& out) const {
   if (!geodesy_) {
-    AppendField(out, "x", position_.x);
-    AppendField(out, "y", position_.y);
-    AppendField(out, "z", position_.z);
+    AppendField(out, "x", shown_.x);
+    AppendField(out, "y", shown_.y);
+    AppendField(out, "z", shown_.z);
     return;
   }
   AppendField(out, "longitude", place_.longitude);

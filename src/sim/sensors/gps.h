@@ -30,6 +30,7 @@ class Gps : public Sensor {
   std::optional<Geodesy> geodesy_;  // of the levels that need it
   bool extended_;
   Vec3 position_;  // m, in the world
+  Vec3 shown_;     // the same, as modifiers have made it
   GeodeticPlace place_;
   Vec3 velocity_;  // m/s: east, north, up
   double last_time_ = 0.0;

@@ -5,7 +5,11 @@
 namespace ccmorse::sim {
 
 Gyroscope::Gyroscope(Robot& robot, const std::string& name)
-    : Sensor(robot, name, "Gyroscope", 60.0) {}
+    : Sensor(robot, name, "Gyroscope", 60.0) {
+  AddData("yaw", euler_.z);
+  AddData("pitch", euler_.y);
+  AddData("roll", euler_.x);
+}
 
 void Gyroscope::Sample(const Instant& now) {
   euler_ = PlaceOfMount(*this).euler;

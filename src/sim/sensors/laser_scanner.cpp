@@ -12,7 +12,11 @@ namespace ccmorse::sim {
 
 LaserScanner::LaserScanner(Robot& robot, const std::string& name, const scene::LaserDef& def,
                            const World& world, std::uint64_t seed)
-    : Sensor(robot, name, "LaserScanner", def.frequency),
+    : LaserScanner(robot, name, "LaserScanner", def, world, seed) {}
+
+LaserScanner::LaserScanner(Robot& robot, const std::string& name, const char* type,
+                           const scene::LaserDef& def, const World& world, std::uint64_t seed)
+    : Sensor(robot, name, type, def.frequency),
       def_(def),
       world_(world),
       fan_(def),
@@ -23,6 +27,15 @@ LaserScanner::LaserScanner(Robot& robot, const std::string& name, const scene::L
                 Mirror(arguments);
                 return Json();
               }});
+}
+
+void LaserScanner::Mounted() {
+  if (is_carried()) LetMove();
+}
+
+void LaserScanner::LetMove() {
+  moves_ = true;
+  fan_.Untie();
 }
 
 void LaserScanner::Mirror(Arguments arguments) {
@@ -45,6 +58,7 @@ void LaserScanner::Sample(const Instant& now) {
     ranges_ = mirrored_;
     return DataChanged(now.time);
   }
+  if (moves_) fan_.Place(mount(), FanRotation());
   world_.rays().Scan(fan_, robot().pose(), robot().position().z, robot().index(), ranges_);
   if (def_.range_std > 0.0) AddNoise(now.tick);
   DataChanged(now.time);
@@ -98,7 +112,7 @@ void LaserScanner::AppendFields(std::string& out) const {
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     out += i == 0 ? "[" : ", [";
     const bool hit = ranges_[i] < def_.range;
-    const Vec3 point = hit ? ranges_[i] * fan_.Direction(i) : Vec3{};
+    const Vec3 point = hit ? ranges_[i] * PointDirection(i) : Vec3{};
     AppendJson(out, point.x);
     out += ", ";
     AppendJson(out, point.y);

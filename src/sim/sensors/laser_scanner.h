@@ -27,14 +27,27 @@ class LaserScanner : public Sensor {
   NumberForm number_form() const override { return NumberForm::kScan; }
   void AppendNumbers(std::vector<double>& out) const override;
   Json Configurations() const override;
-  Vec3 mount() const override { return def_.position; }
-  Rotation mount_rotation() const override { return fan_.rotation(); }
+  Vec3 mount() const override { return is_carried() ? Sensor::mount() : def_.position; }
+  Rotation mount_rotation() const override {
+    return is_carried() ? Sensor::mount_rotation() : FromEuler(def_.roll, def_.pitch, def_.yaw);
+  }
+  void Mounted() override;
 
   void Prepare() override;
   int Work() const override { return static_cast<int>(fan_.count()); }
 
   const std::vector<double>& ranges() const { return ranges_; }  ///< m, (layers * samples)
   const BeamFan& fan() const { return fan_; }
+
+ protected:
+  LaserScanner(Robot& robot, const std::string& name, const char* type, const scene::LaserDef& def,
+               const World& world, std::uint64_t seed);
+  /// Its fan does not stay where it is on the robot.
+  void LetMove();
+  /// The direction of beam i, a unit vector, in the frame that points are shown in.
+  virtual Vec3 PointDirection(std::size_t i) const { return fan_.Direction(i); }
+  /// How the fan is turned on the robot now; asked before each scan of one whose mount moves.
+  virtual Rotation FanRotation() const { return mount_rotation(); }
 
  private:
   void Mirror(Arguments arguments);
@@ -44,6 +57,7 @@ class LaserScanner : public Sensor {
   scene::LaserDef def_;
   const World& world_;
   BeamFan fan_;
+  bool moves_ = false;  // the fan, on the robot
   Noise noise_;
   std::vector<double> ranges_;
   std::vector<double> mirrored_;  // what to show instead; empty: look

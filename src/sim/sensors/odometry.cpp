@@ -33,6 +33,16 @@ OdometrySensor::OdometrySensor(Robot& robot, const std::string& name, std::uint6
   gain_.x += error.x * (share[0] - 0.5);
   gain_.y += error.y * (share[1] - 0.5);
   gain_.z += error.z * (share[2] - 0.5);
+  shown_ = moved_;
+  AddData("x", shown_.x);
+  AddData("y", shown_.y);
+  AddData("z", rest_.x);
+  AddData("yaw", shown_.yaw);
+  AddData("pitch", rest_.y);
+  AddData("roll", rest_.z);
+  AddData("vx", twist_.v);
+  AddData("vy", twist_.side);
+  AddData("wz", twist_.w);
 }
 
 void OdometrySensor::DeadReckon() {
@@ -55,6 +65,8 @@ void OdometrySensor::Sample(const Instant& now) {
   } else {
     DeadReckon();
   }
+  shown_ = moved_;
+  rest_ = {};
   twist_ = robot().twist();
   stalled_ = robot().stalled();
   DataChanged(now.time);
@@ -65,32 +77,33 @@ void OdometrySensor::Reset() {
   last_ = robot().pose();
   start_ = FrameOf(last_, robot().def().odometry.start);
   start_angle_ = SinCos(start_.yaw);
-  moved_ = robot().def().odometry.start;
+  moved_ = shown_ = robot().def().odometry.start;
+  rest_ = {};
   twist_ = {};
   stalled_ = false;
 }
 
 void OdometrySensor::AddToHash(StateHash& hash) const {
-  hash.Add(moved_.x);
-  hash.Add(moved_.y);
-  hash.Add(moved_.yaw);
+  hash.Add(shown_.x);
+  hash.Add(shown_.y);
+  hash.Add(shown_.yaw);
   hash.Add(twist_.v);
   hash.Add(twist_.w);
   hash.Add(static_cast<std::uint64_t>(stalled_));
 }
 
 void OdometrySensor::AppendNumbers(std::vector<double>& out) const {
-  out.insert(out.end(), {moved_.x, moved_.y, 0.0, 0.0, 0.0, moved_.yaw});
+  out.insert(out.end(), {shown_.x, shown_.y, rest_.x, rest_.z, rest_.y, shown_.yaw});
   out.insert(out.end(), {twist_.v, twist_.side, 0.0, 0.0, 0.0, twist_.w, stalled_ ? 1.0 : 0.0});
 }
 
 void OdometrySensor::AppendFields(std::string& out) const {
-  AppendField(out, "x", moved_.x);
-  AppendField(out, "y", moved_.y);
-  AppendField(out, "z", 0.0);
-  AppendField(out, "yaw", moved_.yaw);
-  AppendField(out, "pitch", 0.0);
-  AppendField(out, "roll", 0.0);
+  AppendField(out, "x", shown_.x);
+  AppendField(out, "y", shown_.y);
+  AppendField(out, "z", rest_.x);
+  AppendField(out, "yaw", shown_.yaw);
+  AppendField(out, "pitch", rest_.y);
+  AppendField(out, "roll", rest_.z);
   AppendField(out, "vx", twist_.v);
   AppendField(out, "vy", twist_.side);
   AppendField(out, "vz", 0.0);

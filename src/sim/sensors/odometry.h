@@ -34,6 +34,8 @@ class OdometrySensor : public Sensor {
   Pose2 start_;             // in the world
   SinCosPair start_angle_;  // of its yaw
   Pose2 moved_;             // in the frame of start_
+  Pose2 shown_;             // the same, as modifiers have made it
+  Vec3 rest_;               // z, m, and pitch and roll, rad: 0 but for modifiers
   Twist twist_;
   bool stalled_ = false;
 };

@@ -15,6 +15,12 @@ PoseSensor::PoseSensor(Robot& robot, const std::string& name, std::uint64_t seed
 PoseSensor::PoseSensor(Robot& robot, const std::string& name, std::uint64_t seed,
                        const scene::PoseNoiseDef& noise)
     : Sensor(robot, name, "Pose", 60.0), noise_(seed, full_name()), deviation_(noise) {
+  AddData("x", pose_.x);
+  AddData("y", pose_.y);
+  AddData("z", z_);
+  AddData("yaw", pose_.yaw);
+  AddData("pitch", pitch_);
+  AddData("roll", roll_);
   Read();
 }
 
@@ -39,7 +45,10 @@ void PoseSensor::Read() {
     pose_.y = place.y;
   }
   z_ += at.z;
-  if (mount_euler().z != 0.0) pose_.yaw = NormalizeAngle(pose_.yaw + mount_euler().z);
+  const Vec3 euler = mount_euler();
+  if (euler.z != 0.0) pose_.yaw = NormalizeAngle(pose_.yaw + euler.z);
+  pitch_ = euler.y;
+  roll_ = euler.x;
 }
 
 void PoseSensor::Sample(const Instant& now) {

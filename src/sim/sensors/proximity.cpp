@@ -6,9 +6,8 @@
 
 namespace ccmorse::sim {
 
-Proximity::Proximity(Robot& robot, const std::string& name, const scene::Scenario& scenario,
-                     const World& world)
-    : Sensor(robot, name, "Proximity", 12.0), world_(world), props_(scenario.props) {
+Proximity::Proximity(Robot& robot, const std::string& name, const World& world)
+    : Sensor(robot, name, "Proximity", 12.0), world_(world) {
   AddProperty("Range", range_, 0.0, 1e12);
   AddProperty("Track", tag_);
   AddService({"set_range", {{"range"}}, [this](Arguments arguments) {
@@ -24,18 +23,11 @@ Proximity::Proximity(Robot& robot, const std::string& name, const scene::Scenari
 void Proximity::Sample(const Instant& now) {
   near_.clear();
   const Vec3 here = robot().position();
-  const auto add = [&](const std::string& name, const Vec3& there) {
-    const double distance = std::sqrt(Dot(there - here, there - here));
-    if (distance <= range_) near_.emplace_back(&name, distance);
-  };
-  for (const Robot* other : world_.robots()) {
-    if (other == &robot()) continue;
-    if (tag_ == "Robot_Tag" || other->def().properties.Find(tag_) != nullptr) {
-      add(other->name(), other->position());
-    }
-  }
-  for (const scene::PropDef& prop : props_) {
-    if (prop.properties.Find(tag_) != nullptr) add(prop.name, prop.position);
+  for (const SceneObject& object : world_.objects().all()) {
+    if (object.robot == &robot() || !object.Has(tag_)) continue;
+    const Vec3 off = object.WorldPosition() - here;
+    const double distance = std::sqrt(Dot(off, off));
+    if (distance <= range_) near_.emplace_back(&object.name, distance);
   }
   DataChanged(now.time);
 }

@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "scene/scenario.h"
 #include "sim/component.h"
 #include "sim/world.h"
 
@@ -16,8 +15,7 @@ namespace ccmorse::sim {
 /// set_range and set_tracked_tag. 12 Hz.
 class Proximity : public Sensor {
  public:
-  Proximity(Robot& robot, const std::string& name, const scene::Scenario& scenario,
-            const World& world);
+  Proximity(Robot& robot, const std::string& name, const World& world);
   void Sample(const Instant& now) override;
   void AddToHash(StateHash& hash) const override;
   void Reset() override;
@@ -26,7 +24,6 @@ class Proximity : public Sensor {
   void AppendFields(std::string& out) const override;
 
   const World& world_;
-  std::vector<scene::PropDef> props_;
   double range_ = 100.0;           // Range, m
   std::string tag_ = "Robot_Tag";  // Track
   std::vector<std::pair<const std::string*, double>> near_;

@@ -7,7 +7,9 @@
 namespace ccmorse::sim {
 
 RawOdometry::RawOdometry(Robot& robot, const std::string& name)
-    : Sensor(robot, name, "RawOdometry", 60.0) {}
+    : Sensor(robot, name, "RawOdometry", 60.0) {
+  AddData("dS", way_);
+}
 
 void RawOdometry::Sample(const Instant& now) {
   const Vec3 here = PlaceOfMount(*this).position;

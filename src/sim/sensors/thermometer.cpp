@@ -19,11 +19,9 @@ double Strength(const Json& value, double otherwise) {
 
 }  // namespace
 
-Thermometer::Thermometer(Robot& robot, const std::string& name, const scene::Scenario& scenario,
-                         const World& world)
+Thermometer::Thermometer(Robot& robot, const std::string& name, const World& world)
     : Sensor(robot, name, "Thermometer", 60.0),
       world_(world),
-      props_(scenario.props),
       range_(static_cast<double>(std::numeric_limits<std::int64_t>::max())) {
   constexpr double kAny = 1e12;
   AddProperty("FireTag", tag_);
@@ -36,17 +34,13 @@ Thermometer::Thermometer(Robot& robot, const std::string& name, const scene::Sce
 void Thermometer::Sample(const Instant& now) {
   const Vec3 here = PlaceOfMount(*this).position;
   temperature_ = default_;
-  const auto add = [&](const Json& properties, const Vec3& there) {
-    const Json* const fire = properties.Find(tag_);
-    if (fire == nullptr) return;
-    const Vec3 off = there - here;
+  for (const SceneObject& object : world_.objects().all()) {
+    const Json* const fire = object.properties.Find(tag_);
+    if (fire == nullptr || object.robot == &robot()) continue;
+    const Vec3 off = object.WorldPosition() - here;
     const double distance = std::sqrt(Dot(off, off));
     if (distance < range_) temperature_ += Strength(*fire, fire_) * Exp(-alpha_ * distance);
-  };
-  for (const Robot* other : world_.robots()) {
-    if (other != &robot()) add(other->def().properties, other->position());
   }
-  for (const scene::PropDef& prop : props_) add(prop.properties, prop.position);
   DataChanged(now.time);
 }
 

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "scene/scenario.h"
 #include "sim/component.h"
 #include "sim/world.h"
 
@@ -14,8 +12,7 @@ namespace ccmorse::sim {
 /// Range away, m; F is the property's value where it is a number, else FireTemperature. 60 Hz.
 class Thermometer : public Sensor {
  public:
-  Thermometer(Robot& robot, const std::string& name, const scene::Scenario& scenario,
-              const World& world);
+  Thermometer(Robot& robot, const std::string& name, const World& world);
   void Sample(const Instant& now) override;
   void AddToHash(StateHash& hash) const override;
   void Reset() override;
@@ -24,7 +21,6 @@ class Thermometer : public Sensor {
   void AppendFields(std::string& out) const override;
 
   const World& world_;
-  std::vector<scene::PropDef> props_;
   std::string tag_ = "Fire";  // FireTag
   double default_ = 15.0;     // DefaultTemperature
   double fire_ = 200.0;       // FireTemperature

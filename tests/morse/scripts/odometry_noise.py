@@ -1,0 +1,20 @@
+from morse.builder import *
+
+robot = ATRV()
+odometry = Odometry()
+odometry.alter('', 'morse.modifiers.odometry_noise.OdometryNoiseModifier', factor=1.2)
+robot.append(odometry)
+truth = Odometry()
+robot.append(truth)
+raw = Odometry()
+raw.level('raw')
+raw.alter('', classpath='morse.modifiers.odometry_noise.OdometryNoiseModifier', factor=0.5)
+robot.append(raw)
+shaky = Odometry()
+shaky.alter('Noise', pos_std=0.3, rot_std=0.0)
+robot.append(shaky)
+motion = MotionVW()
+robot.append(motion)
+robot.add_default_interface('socket')
+
+env = Environment('empty', fastmode=True)
