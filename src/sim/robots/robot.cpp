@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/euler.h"
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "sim/actuators/arucomarker.h"
