@@ -69,9 +69,7 @@ RunControl Runner::Control() {
     return morse_.StreamPort(component);
   };
   control.quit = [this] { Stop(); };
-  control.time_mode = [this] {
-    return KeepsStep() ? "Fixed Simulation Step" : "Best Effort";
-  };
+  control.time_mode = [this] { return KeepsStep() ? "Fixed Simulation Step" : "Best Effort"; };
   control.time_statistics = [this] { return Statistics(); };
   control.set_time_scale = [this](double factor) {
     if (options_.pace != Pace::kRealTime) return false;
