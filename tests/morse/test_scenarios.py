@@ -62,11 +62,14 @@ class Run(test_run.Run):
         return self.morse.rpc(name, "get_local_data")
 
     def drive(self, name, v, w, seconds):
-        """Has a MotionVW drive for about so many simulated seconds."""
+        """Has a MotionVW drive for so many simulated seconds, however slow this machine is."""
+        ticks = round(self.hello()["frequency"] * seconds)
+        self.morse.rpc("ccmorse", "pause")
         self.morse.rpc(name, "set_speed", v, w)
-        self.morse.sleep(seconds)
+        self.morse.rpc("ccmorse", "step", ticks)
         self.morse.rpc(name, "stop")
-        self.morse.sleep(0.1)
+        self.morse.rpc("ccmorse", "step", 6)
+        self.morse.rpc("ccmorse", "resume")
 
     def hello(self):
         """What the program says of itself."""
@@ -130,7 +133,7 @@ class BestEffort(unittest.TestCase):
                 run.drive(name + ".motion", 1.0, 0.0, 0.5)
                 after = run.read(name + ".pose")
                 moved = math.hypot(after["x"] - before["x"], after["y"] - before["y"])
-                self.assertGreater(moved, 0.4)
+                self.assertAlmostEqual(moved, 0.5, delta=0.05)
                 self.near([after["x"], after["y"]],
                           [before["x"] + moved * math.cos(0.5 * number),
                            before["y"] + moved * math.sin(0.5 * number)], 1e-6)
@@ -155,7 +158,7 @@ class BestEffort(unittest.TestCase):
             run.drive("robot.motion", 0.0, 1.0, 1.0)
             turned = run.read("robot.beside")
             yaw = turned["yaw"]
-            self.assertGreater(yaw, math.pi / 2.0 + 0.9)
+            self.assertAlmostEqual(yaw, math.pi / 2.0 + 1.0, delta=0.1)
             self.near([turned["x"], turned["y"]],
                       [1.0 + 0.3 * math.sin(yaw), 2.0 - 0.3 * math.cos(yaw)], 1e-6)
 
@@ -199,7 +202,7 @@ class BestEffort(unittest.TestCase):
         with self.run_script("shapes_are_no_obstacles.py") as run:
             self.assertEqual(set(run.read("robot.sick")["range_list"]), {30.0})
             run.drive("robot.motion", 2.0, 0.0, 2.0)
-            self.assertGreater(run.read("robot.pose")["x"], 3.5)
+            self.assertAlmostEqual(run.read("robot.pose")["x"], 4.0, delta=0.2)
 
     def test_b6_a_battery_is_charged_in_its_zone(self):
         with self.run_script("charging.py") as run:
@@ -209,7 +212,7 @@ class BestEffort(unittest.TestCase):
             self.assertAlmostEqual(battery["charge"], 100.0 - 20.0 * battery["timestamp"],
                                    delta=0.5)
             run.drive("robot.motion", 2.0, 0.0, 2.0)
-            self.near([run.read("robot.pose")["x"]], [4.0], 0.9)
+            self.near([run.read("robot.pose")["x"]], [4.0], 0.2)
             first = run.read("robot.battery")
             self.assertEqual(first["status"], "Charging")
             run.morse.sleep(0.5)
@@ -237,7 +240,7 @@ class BestEffort(unittest.TestCase):
             self.near([end["x"], end["y"]],
                       [2.0 * math.sin(end["yaw"]), 2.0 - 2.0 * math.cos(end["yaw"])], 0.01)
             moving = [path for path in told["raw"].values() if path > 1e-3]
-            self.assertGreater(len(moving), 60)
+            self.assertGreater(len(moving), 30)  # of 90; a slow reader misses some
             for path in moving[5:-5]:
                 self.assertAlmostEqual(path, 1.0 / 60.0, delta=1e-3)
             turning = [turn for turn in told["differential"].values() if turn > 1e-4]
@@ -271,7 +274,7 @@ class BestEffort(unittest.TestCase):
             # They drive past one another, 9 m apart; alpha's 90 degrees are too few to see beta.
             run.drive("beta.motion", 2.0, 0.0, 1.0)
             pose = run.read("beta.pose")
-            self.assertLess(pose["x"], -0.5)
+            self.assertAlmostEqual(pose["x"], 1.0 - 2.0, delta=0.1)
             self.assertAlmostEqual(pose["y"], 9.0, places=6)
 
     def test_b3_every_robot_of_a_loop_reaches_its_own_point(self):
@@ -292,7 +295,7 @@ class BestEffort(unittest.TestCase):
             run.morse.sleep(6.0)
             took = time.monotonic() - wall
             self.assertGreater(run.morse.rpc("time", "now") - begin, 5.9)
-            self.assertLess(took, 3.0)  # 0.6 s, and a busy machine
+            self.assertLess(took, 5.0)  # 0.6 s, and a busy machine
             self.assertGreater(took, 0.5)
 
 

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import unittest
 
-from support import HERE, PYTHON, SOURCE, environment
+from support import HERE, PYTHON, SCRIPTS, SOURCE, environment
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, PYTHON)
@@ -229,6 +229,18 @@ class Table(unittest.TestCase):
         simulated = {entry["simulated"] for entry in data.COMPONENTS.values()} - {None}
         self.assertEqual(simulated | set(data.SYROTEK_COMPONENTS.values()), known)
 
+
+    def test_what_is_simulated_is_in_a_script(self):
+        text = ""
+        for folder, _, files in os.walk(SCRIPTS):
+            for name in files:
+                if name.endswith(".py"):
+                    with open(os.path.join(folder, name), encoding="utf-8") as file:
+                        text += file.read()
+        # What all scanners are is in none by itself.
+        missing = [name for name, entry in data.COMPONENTS.items() if entry["simulated"] and
+                   name != "LaserSensorWithArc" and not re.search(r"\b%s\(" % name, text)]
+        self.assertEqual(missing, [])
 
     def test_the_documentation_says_what_is_simulated(self):
         with open(os.path.join(SOURCE, "docs", "morse.md"), encoding="utf-8") as file:

@@ -18,7 +18,7 @@ def main():
         test = "MorseTable." + name
         lines.append('add_test("%s" grep -F -m 1 "[%s] " "%s")' % (test, name, results))
         lines.append('set_tests_properties("%s" PROPERTIES FIXTURES_REQUIRED MorseTable '
-                     'PASS_REGULAR_EXPRESSION "\\\\] pass")' % test)
+                     'PASS_REGULAR_EXPRESSION "^[^ ]+ pass")' % test)
     with open(target, "w", encoding="utf-8") as file:
         file.write("\n".join(lines) + "\n")
 

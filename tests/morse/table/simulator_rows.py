@@ -356,7 +356,7 @@ class Runs:
             streams.append((link, name, rows))
         longest = max((len(rows) for _, _, rows in streams), default=0)
         for number in range(-1, longest):
-            if number >= 0 and number % (LINES_A_SECOND - 1) == 0:
+            if number > 0 and number % (LINES_A_SECOND - 1) == 0:
                 time.sleep(1.1)  # more lines than that of one stream are counted, not written
             before = len(self.simulation.output())
             for link, name, rows in streams:
