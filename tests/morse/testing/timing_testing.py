@@ -68,7 +68,8 @@ class TimingTest(MorseMoveTestCase):
 
     def test_what_one_sensor_gets_is_the_last_of_another(self):
         with Morse() as simu:
-            pose, accelerometer = simu.robot.pose, simu.robot.accelerometer
+            # pymorse looks at connections in the order in which they were made.
+            accelerometer, pose = simu.robot.accelerometer, simu.robot.pose
             for _ in range(30):
                 # Back to back, by name: the pose's line comes last.
                 got = pose.get()
