@@ -17,7 +17,7 @@ class JsonError : public std::runtime_error {
   JsonError(const std::string& reason, int line, int column, std::size_t offset);
   const std::string& reason() const { return reason_; }
   int line() const { return line_; }      ///< from 1
-  int column() const { return column_; }  ///< from 1, in bytes
+  int column() const { return column_; }  ///< from 1, in characters
  private:
   std::string reason_;
   int line_;

@@ -1,5 +1,5 @@
 """30 robots with 5 sensors each at 60 Hz, all streams read by pymorse: real time with less than 60 %
-of one core for the simulator (docs/performance.md).
+of one core for the simulator.
 
 CCMORSE names the program. Needs python3-morse-simulator for pymorse. Prints what it measures.
 """

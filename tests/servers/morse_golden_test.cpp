@@ -155,12 +155,17 @@ class Play {
                 [this](Runner& runner) { toy_.AddTo(runner.directory()); }) {}
 
   void Do(const std::string& step) {
-    static const std::regex kForm(R"((\w*)(>>|>|<~|<|!|@) ?(.*))");
-    std::smatch parts;
-    ASSERT_TRUE(std::regex_match(step, parts, kForm)) << "no step: " << step;
-    const std::string who = parts[1];
-    const std::string verb = parts[2];
-    const std::string text = parts[3];
+    const auto word = std::find_if_not(step.begin(), step.end(),
+                                       [](unsigned char c) { return std::isalnum(c) != 0; });
+    const std::string who(step.begin(), word);
+    std::string text(word, step.end());
+    std::string verb;
+    for (const char* known : {">>", ">", "<~", "<", "!", "@"}) {
+      if (verb.empty() && text.starts_with(known)) verb = known;
+    }
+    ASSERT_FALSE(verb.empty()) << "no step: " << step;
+    text.erase(0, verb.size());
+    if (text.starts_with(" ")) text.erase(0, 1);
     if (verb == "@") return Open(who, text);
     if (clients_.count(who) == 0) {
       clients_[who] = std::make_unique<LineClient>(served_.port());

@@ -657,7 +657,11 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
 
   // The sensor has new data for its clients.
   void Publish() {
-    if (sensor_ == nullptr || clients_.empty()) return;
+    if (sensor_ == nullptr) return;
+    // Where nobody takes it, nothing is put into words.
+    const bool taken = std::any_of(clients_.begin(), clients_.end(),
+                                   [](const auto& client) { return !client->outbox.busy(); });
+    if (!taken) return;
     line_ = sensor_->LocalData();
     line_ += '\n';
   }
