@@ -278,122 +278,121 @@ class @CLASS@(ActuatorCreator):
 )py";
 
 constexpr const char* kSensorPlugin =
-    R"cc(// @DESCRIPTION@
-         //
-         // Built by `make` in this folder; builder scripts mount it by the class @CLASS@ of
-         // @PACKAGE@.builder.sensors. How to write one: docs/components.md of CCMorse.
+    R"plugin(// @DESCRIPTION@
+//
+// Built by `make` in this folder; builder scripts mount it by the class @CLASS@ of
+// @PACKAGE@.builder.sensors. How to write one: docs/components.md of CCMorse.
 
 #include <ccmorse/plugin.h>
 
 #include <cmath>
 
-         // As it is, it measures how far it has travelled.
-         class @CLASS @ : public ccmorse::Sensor {
-          public:
-           @CLASS @() {
-             // Each line sent to clients has these fields, beside `timestamp`.
-             AddData("distance", 0.0);  // m, travelled since the start or the last reset
+// As it is, it measures how far it has travelled.
+class @CLASS@ : public ccmorse::Sensor {
+ public:
+  @CLASS@() {
+    // Each line sent to clients has these fields, beside `timestamp`.
+    AddData("distance", 0.0);  // m, travelled since the start or the last reset
 
-             // Scripts set these: @NAME@.properties(Factor=2.0)
-             AddProperty("Factor", &factor_);
+    // Scripts set these: @NAME@.properties(Factor=2.0)
+    AddProperty("Factor", &factor_);
 
-             // Clients call these; the second text names their parameters, as "x y ?speed".
-             AddService("reset_distance", "", [this](const ccmorse::Values&) {
-               Set("distance", 0.0);
-               return ccmorse::Value();
-             });
+    // Clients call these; the second text names their parameters, as "x y ?speed".
+    AddService("reset_distance", "", [this](const ccmorse::Values&) {
+      Set("distance", 0.0);
+      return ccmorse::Value();
+    });
 
-             // This one answers when so much more has been travelled.
-             AddAsyncService("travel", "metres", [this](const ccmorse::Values& arguments) {
-               goal_ = Get("distance").Number() + arguments[0].Number();
-             });
-           }
+    // This one answers when so much more has been travelled.
+    AddAsyncService("travel", "metres", [this](const ccmorse::Values& arguments) {
+      goal_ = Get("distance").Number() + arguments[0].Number();
+    });
+  }
 
-           // What happens each time that the sensor is due.
-           void DefaultAction() override {
-             const ccmorse::Pose here = GetPose();
-             if (moving_) {
-               const double way = std::hypot(here.x - last_.x, here.y - last_.y, here.z - last_.z);
-               Set("distance", Get("distance").Number() + factor_ * way);
-             }
-             last_ = here;
-             moving_ = true;
-             if (Get("distance").Number() >= goal_) Complete(ccmorse::Status::kSuccess, Get("distan"
-                                                                                            "ce"));
-           }
+  // What happens each time that the sensor is due.
+  void DefaultAction() override {
+    const ccmorse::Pose here = GetPose();
+    if (moving_) {
+      const double way = std::hypot(here.x - last_.x, here.y - last_.y, here.z - last_.z);
+      Set("distance", Get("distance").Number() + factor_ * way);
+    }
+    last_ = here;
+    moving_ = true;
+    if (Get("distance").Number() >= goal_) Complete(ccmorse::Status::kSuccess, Get("distance"));
+  }
 
-          private:
-           double factor_ = 1.0;  // what the distance is multiplied by
-           double goal_ = 0.0;    // m
-           bool moving_ = false;  // last_ is known
-           ccmorse::Pose last_{};
-         };
+ private:
+  double factor_ = 1.0;  // what the distance is multiplied by
+  double goal_ = 0.0;    // m
+  bool moving_ = false;  // last_ is known
+  ccmorse::Pose last_{};
+};
 
-         CCMORSE_PLUGIN(@CLASS @)
-)cc";
+CCMORSE_PLUGIN(@CLASS@)
+)plugin";
 
 constexpr const char* kActuatorPlugin =
-    R"cc(// @DESCRIPTION@
-         //
-         // Built by `make` in this folder; builder scripts mount it by the class @CLASS@ of
-         // @PACKAGE@.builder.actuators. How to write one: docs/components.md of CCMorse.
+    R"plugin(// @DESCRIPTION@
+//
+// Built by `make` in this folder; builder scripts mount it by the class @CLASS@ of
+// @PACKAGE@.builder.actuators. How to write one: docs/components.md of CCMorse.
 
 #include <ccmorse/plugin.h>
 
 #include <algorithm>
 #include <cmath>
 
-         // As it is, it moves its robot ahead.
-         class @CLASS @ : public ccmorse::Actuator {
-          public:
-           @CLASS @() {
-             // Clients send lines with these fields; the last one holds until the next.
-             AddData("speed", 0.0);  // m/s, of the robot along its own x axis
+// As it is, it moves its robot ahead.
+class @CLASS@ : public ccmorse::Actuator {
+ public:
+  @CLASS@() {
+    // Clients send lines with these fields; the last one holds until the next.
+    AddData("speed", 0.0);  // m/s, of the robot along its own x axis
 
-             // Scripts set these: @NAME@.properties(MaxSpeed=0.5)
-             AddProperty("MaxSpeed", &max_speed_);
+    // Scripts set these: @NAME@.properties(MaxSpeed=0.5)
+    AddProperty("MaxSpeed", &max_speed_);
 
-             // Clients call these; the second text names their parameters, as "x y ?speed".
-             AddService("stop", "", [this](const ccmorse::Values&) {
-               Set("speed", 0.0);
-               return ccmorse::Value();
-             });
+    // Clients call these; the second text names their parameters, as "x y ?speed".
+    AddService("stop", "", [this](const ccmorse::Values&) {
+      Set("speed", 0.0);
+      return ccmorse::Value();
+    });
 
-             // This one answers when the robot has gone so far.
-             AddAsyncService("advance", "metres speed", [this](const ccmorse::Values& arguments) {
-               left_ = arguments[0].Number();
-               Set("speed", arguments[1].Number());
-             });
-           }
+    // This one answers when the robot has gone so far.
+    AddAsyncService("advance", "metres speed", [this](const ccmorse::Values& arguments) {
+      left_ = arguments[0].Number();
+      Set("speed", arguments[1].Number());
+    });
+  }
 
-           // What happens each time that the actuator is due.
-           void DefaultAction() override {
-             const double speed = std::clamp(Get("speed").Number(), -max_speed_, max_speed_);
-             ApplySpeed(speed, 0.0, 0.0);
-             const double step = GetTime() - last_time_;
-             last_time_ = GetTime();
-             if (left_ <= 0.0) return;
-             left_ -= std::abs(speed) * step;
-             if (left_ <= 0.0) Stop(ccmorse::Status::kSuccess);
-           }
+  // What happens each time that the actuator is due.
+  void DefaultAction() override {
+    const double speed = std::clamp(Get("speed").Number(), -max_speed_, max_speed_);
+    ApplySpeed(speed, 0.0, 0.0);
+    const double step = GetTime() - last_time_;
+    last_time_ = GetTime();
+    if (left_ <= 0.0) return;
+    left_ -= std::abs(speed) * step;
+    if (left_ <= 0.0) Stop(ccmorse::Status::kSuccess);
+  }
 
-           // Another call, or `cancel`, ends a running `advance`.
-           void Interrupt() override { Stop(ccmorse::Status::kPreempted); }
+  // Another call, or `cancel`, ends a running `advance`.
+  void Interrupt() override { Stop(ccmorse::Status::kPreempted); }
 
-          private:
-           void Stop(ccmorse::Status status) {
-             left_ = 0.0;
-             Set("speed", 0.0);
-             Complete(status);
-           }
+ private:
+  void Stop(ccmorse::Status status) {
+    left_ = 0.0;
+    Set("speed", 0.0);
+    Complete(status);
+  }
 
-           double max_speed_ = 1.0;  // m/s: no command makes it faster
-           double left_ = 0.0;       // m to go
-           double last_time_ = 0.0;  // s
-         };
+  double max_speed_ = 1.0;  // m/s: no command makes it faster
+  double left_ = 0.0;       // m to go
+  double last_time_ = 0.0;  // s
+};
 
-         CCMORSE_PLUGIN(@CLASS @)
-)cc";
+CCMORSE_PLUGIN(@CLASS@)
+)plugin";
 
 constexpr const char* kPluginMakefile =
     R"mk(# Builds each .cpp of this folder as a plug-in of CCMorse.

@@ -290,6 +290,7 @@ TEST(OwnComponents, OneThatEndsTheProcessOrCannotBeMadeIsSwitchedOff) {
   const auto ended = session.process().WaitForLine("robot.aaa is switched off");
   ASSERT_TRUE(ended) << session.process().output();
   EXPECT_NE(ended->find("exit status 3"), std::string::npos) << *ended;
+  EXPECT_NE(ended->find(project.file("aaa") + ":7: "), std::string::npos) << *ended;
   EXPECT_EQ(session.Ask("time sleep [0.1]"), "1 SUCCESS");
   EXPECT_GT(Number(session.Data("robot.counter"), "count"), 1.0);
   // It is off for good, and says so.

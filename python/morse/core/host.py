@@ -238,6 +238,12 @@ def place_of(error):
     return "%s:%d: in %s: " % (own[-1].filename, own[-1].lineno, own[-1].name) if own else ""
 
 
+def place_of_method(component):
+    """ "FILE:LINE: " of its default action, for what ends without any words."""
+    code = getattr(getattr(type(component), "default_action", None), "__code__", None)
+    return "%s:%d: " % (code.co_filename, code.co_firstlineno) if code else ""
+
+
 def words_of(error):
     return "".join(traceback.format_exception_only(type(error), error)).strip().splitlines()[-1]
 
@@ -281,7 +287,7 @@ class Host:
         self.sent[name] = text_of(birth["data"])
         if birth["anew"]:  # the process before this one has ended over another component
             component.local_data.update(birth["data"])
-        return {}
+        return {"at": place_of_method(component)}
 
     def answer(self, work, name):
         """Has something done and answers what came of it."""
@@ -317,10 +323,7 @@ class Host:
                     answer["change"] = change
             answer_text = text_of(answer)
         except (TypeError, ValueError, RecursionError) as error:
-            method = getattr(type(component), "default_action", None)
-            where = "%s:%d: " % (method.__code__.co_filename, method.__code__.co_firstlineno) \
-                if hasattr(method, "__code__") else ""
-            answer = {"off": where + words_of(error)}
+            answer = {"off": place_of_method(component) + words_of(error)}
             answer_text = text_of(answer)
         if "off" in answer:
             self.components.pop(name, None)

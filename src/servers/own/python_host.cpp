@@ -161,6 +161,8 @@ void PythonHost::Begin(const Taker& taker, bool anew) {
         break;
       }
       if (answer.Find("off") != nullptr) std::erase(components_, component);
+      const Json* const at = answer.Find("at");
+      if (at != nullptr && at->IsString()) places_[component] = at->AsString();
       if (anew) answer.Set("anew", true);
       component->TakeDataChanged();
       component->TakePropertiesChanged();
@@ -202,12 +204,13 @@ Json PythonHost::ReadAnswer(std::chrono::duration<double> limit, std::string* re
 }
 
 // "FILE:LINE: in NAME: " of the innermost call that is the user's, as Python's faulthandler has put
-// it; else where its class is.
+// it; else where its default action is.
 std::string PythonHost::LastPlace(const sim::OwnComponent& component) const {
   constexpr std::string_view kFile = "  File \"";
   constexpr std::string_view kLine = "\", line ";
   const std::string& trace = process_->trace();
-  std::string fallback = component.def().code + ": ";
+  const auto known = places_.find(&component);
+  std::string fallback = known != places_.end() ? known->second : component.def().code + ": ";
   bool first = true;
   for (std::size_t at = 0; (at = trace.find(kFile, at)) != std::string::npos;) {
     at += kFile.size();

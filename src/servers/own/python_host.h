@@ -2,8 +2,8 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -49,6 +49,7 @@ class PythonHost : public CodeHost {
   std::chrono::duration<double> start_limit_;
   Asker asker_;
   std::unique_ptr<PythonProcess> process_;
+  std::map<const sim::OwnComponent*, std::string> places_;  // "FILE:LINE: " of default actions
 };
 
 }  // namespace ccmorse::servers
