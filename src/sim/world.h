@@ -48,8 +48,8 @@ class World {
                            [&](std::uint32_t index) { found.push_back(&obstacles_[index]); });
   }
 
-  /// The meshes to stand on and to run into, where the world has terrain; else empty, and meshes are
-  /// among the obstacles().
+  /// The meshes to stand on and to run into, where the world has terrain; else empty, and meshes
+  /// are among the obstacles().
   const Ground& ground() const { return ground_; }
 
   /// Changes whenever a box rises or goes down, or other robots are set.

@@ -542,11 +542,20 @@ def _clear(world, robots, environment):
 
     if world["name"] != "morse_sandbox":
         return
+    def is_clear(mesh):
+        if not mesh.get("solid", True):
+            return True
+        half = max(math.hypot(x, y) for x, y, _ in mesh["vertices"])
+        return is_free({"x": mesh["position"][0], "y": mesh["position"][1],
+                        "size": [2.0 * half, 0.0]})
+
     free = [box for box in world["boxes"] if is_free(box)]
-    if len(free) < len(world["boxes"]):
-        places.note("%d boxes of the sandbox are left out: robots stand there" %
-                    (len(world["boxes"]) - len(free)), environment.place)
-    world["boxes"] = free
+    clear = [mesh for mesh in world.get("meshes", []) if is_clear(mesh)]
+    gone = len(world["boxes"]) - len(free) + len(world.get("meshes", [])) - len(clear)
+    if gone:
+        places.note("%d things of the sandbox are left out: robots stand there" % gone,
+                    environment.place)
+    world["boxes"], world["meshes"] = free, clear
 
 
 def _widen(world, robots):
