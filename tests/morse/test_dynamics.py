@@ -5,9 +5,14 @@ CCMORSE names the program. Needs python3-morse-simulator for pymorse.
 """
 
 import math
+import os
+import re
+import subprocess
+import tempfile
 import unittest
 
-from test_run import Run
+from support import SCRIPTS, environment
+from test_run import CCMORSE, Run
 
 G = 9.81  # m/s^2
 
@@ -187,6 +192,34 @@ class Dynamics(unittest.TestCase):
             run.morse.sleep(1.0)
             self.assertAlmostEqual(read(run, "robot.pose")["x"],
                                    3.0 - 0.5 * (1.14 + 0.787), delta=0.05)
+
+
+class Promises(unittest.TestCase):
+    def test_a_record_with_pushes_in_it_is_simulated_again_to_the_same_bits(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "pushes.mcap")
+            with Run("force_torque.py", options=("--record", file)) as run:
+                for push in ([30.0, 5.0, 150.0], [-30.0, 0.0, 250.0]):
+                    run.morse.robot.push.publish({"force": push, "torque": [0.5, 0.2, 1.0]})
+                    run.morse.sleep(0.7)
+            told = subprocess.run([CCMORSE, "replay", file, "--verify"], env=environment(),
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                  timeout=60, check=False)
+            self.assertEqual(told.returncode, 0, told.stdout)
+            self.assertIn("equal", told.stdout)
+
+    def test_two_runs_have_one_hash(self):
+        for script in ("drag.py", "wheels.py", "rotorcraft_velocity.py", "steer_force.py"):
+            hashes = set()
+            for _ in range(2):
+                told = subprocess.run(
+                    [CCMORSE, "run", os.path.join(SCRIPTS, script), "--headless", "--port", "0",
+                     "--stream-port", "0", "--pace", "max", "--for", "5"], env=environment(),
+                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60,
+                    check=False)
+                self.assertEqual(told.returncode, 0, told.stdout)
+                hashes.add(re.search(r"state hash +(\w+)", told.stdout).group(1))
+            self.assertEqual(len(hashes), 1, script)
 
 
 if __name__ == "__main__":

@@ -74,7 +74,7 @@ class Robot {
   Vec3 euler() const;         ///< roll, pitch, yaw, rad; the first two are 0 of a kinematic robot
 
   /// Is it somewhere in space, not on the floor?
-  bool dynamic() const { return dynamics() != nullptr; }
+  bool dynamic() const { return dynamic_; }
   /// Is it a dynamic one that forces do not move?
   bool free() const { return dynamic() && dynamics()->kind == "free"; }
   const scene::DynamicsDef* dynamics() const {
@@ -155,6 +155,7 @@ class Robot {
   Twist twist_;
   const Actuator* driver_ = nullptr;
   bool stalled_ = false;
+  bool dynamic_;  // as def_ says: asked every tick
   RobotTally tally_;
   mutable Obstacle outline_;         // placed when somebody asks
   mutable bool outline_old_ = true;  // it is where the robot was
