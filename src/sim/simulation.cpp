@@ -96,6 +96,8 @@ void Simulation::Sense() {
 void Simulation::Act() {
   const Instant now = Now();
   for (const auto& robot : robots_) {
+    // What a step would have used up that was not taken, as physics were off.
+    if (robot->dynamic()) robot->orders().force = robot->orders().torque = {};
     for (Actuator* actuator : robot->actuators()) {
       if (actuator->active() && actuator->TakeDue(now, scenario_.time.frequency)) {
         actuator->Act(now);

@@ -26,10 +26,10 @@ import pymorse  # noqa: E402
 class Run:
     """A simulation of a script, on free ports."""
 
-    def __init__(self, script, *arguments, pace="real"):
+    def __init__(self, script, *arguments, pace="real", options=()):
         self.log = tempfile.TemporaryFile("w+")
         command = [CCMORSE, "run", os.path.join(SCRIPTS, script), "--headless", "--port", "0",
-                   "--stream-port", "0", "--pace", pace]
+                   "--stream-port", "0", "--pace", pace] + list(options)
         if arguments:
             command += ["--"] + list(arguments)
         self.process = subprocess.Popen(command, stdout=self.log, stderr=subprocess.STDOUT,

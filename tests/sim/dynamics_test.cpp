@@ -248,6 +248,44 @@ TEST(ForceTorqueTest, TheLargestForceLeavesNumbersThatAreNumbers) {
   EXPECT_TRUE(std::isfinite(trial.robot().spin().x));
 }
 
+TEST(ForceTorqueTest, WhilePhysicsAreOffNothingAddsUp) {
+  Trial trial(Scene(RobotText({std::string(kNoDamping) + R"(, "gravity": false)",
+                               R"({"name": "push", "type": "ForceTorque"})", 5.0, 1.0})));
+  trial.Send("push", R"({"force": [1, 0, 0], "torque": [0, 0, 0]})");
+  trial.simulation().set_physics(false);
+  trial.Seconds(10.0);
+  EXPECT_EQ(trial.robot().position().x, 0.0);
+  trial.simulation().set_physics(true);
+  trial.Seconds(1.0);
+  EXPECT_NEAR(trial.robot().velocity().x, 1.0, 1e-9);
+}
+
+TEST(TeleportTest, PutsADynamicRobotAnywhereSoThatItsMountIsThere) {
+  Trial trial(Scene(RobotText({kNoDamping,
+                               R"({"name": "there", "type": "Teleport", "position": [0, 0, 1],
+                                   "rotation": [0, 0, 0.5]}, {"name": "pose", "type": "Pose",
+                                   "position": [0, 0, 1], "rotation": [0, 0, 0.5]})"})));
+  trial.Send("there", R"({"x": 3, "y": -2, "z": 9, "roll": 0.1, "pitch": 0.2, "yaw": 0.3})");
+  trial.Seconds(kTick);
+  const Json pose = trial.Data("pose");
+  EXPECT_NEAR(pose.Find("x")->AsDouble(), 3.0, 1e-3);
+  EXPECT_NEAR(pose.Find("y")->AsDouble(), -2.0, 1e-3);
+  EXPECT_NEAR(pose.Find("z")->AsDouble(), 9.0, 5e-3);  // it has fallen for a tick
+  EXPECT_NEAR(pose.Find("roll")->AsDouble(), 0.1, 1e-9);
+  EXPECT_NEAR(pose.Find("pitch")->AsDouble(), 0.2, 1e-9);
+  EXPECT_NEAR(pose.Find("yaw")->AsDouble(), 0.3, 1e-9);
+}
+
+TEST(OrientationTest, TurnsADynamicRobotInSpace) {
+  Trial trial(Scene(RobotText({std::string(kNoDamping) + R"(, "gravity": false)",
+                               R"({"name": "turn", "type": "Orientation"})", 9.0, 1.0})));
+  trial.Send("turn", R"({"roll": 0.1, "pitch": -0.2, "yaw": 3})");
+  trial.Seconds(0.5);
+  EXPECT_NEAR(trial.robot().euler().x, 0.1, 1e-9);
+  EXPECT_NEAR(trial.robot().euler().y, -0.2, 1e-9);
+  EXPECT_NEAR(trial.robot().euler().z, 3.0, 1e-9);
+}
+
 TEST(ForceTorqueTest, AKinematicRobotIsRefusedWithWhatToAdd) {
   std::string scene = Scene(RobotText({"", R"({"name": "push", "type": "ForceTorque"})"}));
   const std::size_t at = scene.find(R"(, "dynamics": {})");

@@ -24,6 +24,11 @@ void Orientation::Receive(const Json& message) {
 void Orientation::Act(const Instant& now) {
   DataChanged(now.time);
   const double yaw = NormalizeAngle(target_.z);
+  if (!std::isfinite(speed_) && robot().dynamic()) {
+    // In space, and standing still, as MORSE has it.
+    return robot().PlaceInSpace(
+        {robot().position(), FromEuler(target_.x, target_.y, target_.z), {}, {}});
+  }
   if (!std::isfinite(speed_)) {
     if (robot().pose().yaw != yaw) robot().Orient(yaw);
     return;

@@ -153,8 +153,10 @@ void RangeEngine::Identify(BeamFan& fan, const Pose2& robot, double height, int 
   for (const Robot* other : world_.robots()) {
     if (other->index() == self) continue;
     int first = 0;
+    const double risen =
+        other->dynamic() ? other->position().z - other->model().origin_height : 0.0;
     for (const scene::HullPart& part : other->model().hull) {
-      if (part.bottom <= height && height < part.top) {
+      if (part.bottom <= height - risen && height - risen < part.top) {
         std::vector<Vec2> corners(part.outline.size());
         Place(part.outline, other->pose(), corners);
         candidates.push_back({std::move(corners), {HitKind::kRobot, other->index(), first}});

@@ -74,7 +74,8 @@ Robot::Robot(const scene::RobotDef& def, int index)
       model_(scene::ModelOf(def)),
       footprint_(Footprint::Make(model_.footprint)),
       index_(index),
-      height_(model_.origin_height) {
+      height_(model_.origin_height),
+      dynamic_(def_.body && def_.body->dynamics) {
   outline_.outline.reserve(footprint_.outline.size());
   if (dynamic()) {
     // Of the box around it, as if its middle were its centre of mass (specs: morse.md H.2).

@@ -82,7 +82,7 @@ class Robot {
   Vec3 spin() const;  ///< rad/s, in the world's frame
 
   /// Is it somewhere in space, not on the floor?
-  bool dynamic() const { return dynamics() != nullptr; }
+  bool dynamic() const { return dynamic_; }
   /// Is it a dynamic one that forces do not move?
   bool free() const { return dynamic() && dynamics()->kind == "free"; }
   const scene::DynamicsDef* dynamics() const {
@@ -179,6 +179,7 @@ class Robot {
   const Actuator* driver_ = nullptr;
   bool stalled_ = false;
   bool held_ = false;
+  bool dynamic_;  // as def_ says: asked every tick
   RobotTally tally_;
   mutable Obstacle outline_;         // placed when somebody asks
   mutable bool outline_old_ = true;  // it is where the robot was

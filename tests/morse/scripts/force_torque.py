@@ -1,7 +1,7 @@
 from morse.builder import *
 
 robot = ATRV()
-robot.translate(x=1.0, z=20.0)
+robot.translate(x=1.0, z=500.0)
 push = ForceTorque()
 push.properties(RobotFrame=True)
 robot.append(push)

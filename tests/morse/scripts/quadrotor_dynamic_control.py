@@ -1,7 +1,7 @@
 from morse.builder import *
 
 robot = Quadrotor()
-robot.translate(z=10.0)
+robot.translate(z=500.0)
 rotors = QuadrotorDynamicControl()
 robot.append(rotors)
 rotors.add_stream('socket')

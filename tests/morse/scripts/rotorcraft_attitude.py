@@ -1,7 +1,7 @@
 from morse.builder import *
 
 robot = Quadrotor()
-robot.translate(z=10.0)
+robot.translate(z=500.0)
 attitude = RotorcraftAttitude()
 robot.append(attitude)
 attitude.add_interface('socket')
