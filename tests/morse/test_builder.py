@@ -301,7 +301,7 @@ class Scripts(unittest.TestCase):
         self.assertEqual(len(bodies["b21"]["footprint"]), 16)  # it is round
         self.assertEqual(bodies["fake"]["hull"], [])
         self.assertEqual(built.components("pr2"),
-                         ["base_scan", "odometry", "pose", "motion"])
+                         ["joint_state", "base_scan", "odometry", "imu", "pose", "motion"])
         self.assertEqual(bodies["pr2"]["drive"], "omni")  # its MotionXYW goes sideways
         self.assertEqual(bodies["atrv"]["drive"], "diff")
         torso = next(child for child in built.objects()["pr2"]["children"]

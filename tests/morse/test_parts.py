@@ -58,12 +58,13 @@ class Felt(unittest.TestCase):
             # In the south of France it is about 47 uT, mostly downwards, nearly northwards.
             strength = math.hypot(*(field[axis] for axis in "xyz"))
             full = os.path.exists("/usr/share/morse/data/WMM.COF")
-            self.assertTrue(44e3 if full else 35e3 < strength < 50e3, strength)
+            self.assertGreater(strength, 44e3 if full else 35e3)
+            self.assertLess(strength, 50e3)
             self.assertGreater(field["z"], 0.7 * strength)
             # The robot is turned by 0.5 rad, and a level field is where x would be north.
             level = math.hypot(field["x"], field["y"])
             declination = math.atan2(field["y"], field["x"]) + 0.5
-            self.assertLess(abs(declination), math.radians(4.0 if full else 12.0))
+            self.assertLess(abs(declination), math.radians(4.0 if full else 15.0))
             self.assertLess(level, 30e3)
             self.assertEqual(run.morse.rpc("robot.in_2017", "get_properties")
                              ["properties"]["date"][0], 2017.5)

@@ -186,6 +186,29 @@ TEST(MorseMagnetometerTest, TheFieldTurnedIntoTheSensor) {
   EXPECT_THROW(run.Get("m").SetProperty("date", Json("now")), WrongArgument);
 }
 
+TEST(MagneticFieldTest, AScenarioKeepsItAndTheModifiers) {
+  const std::string text = Scene(
+      R"({"name": "p", "type": "Pose", "modifiers": [{"type": "UTM", "settings":
+          {"x_offset": "5"}}, {"type": "feet"}]})",
+      R"({"x": 0, "y": 0})", "",
+      R"("magnetic_field": {"epoch": 2010, "date": 2012.5, "terms": [[1, 0, -3e4, 0, 10, 0],
+          [2, 1, 5, 6, 7, 8]]},)");
+  const scene::Scenario scenario = scene::ParseScenario(text, "a.json");
+  EXPECT_EQ(scenario.magnetic_field.date, 2012.5);
+  ASSERT_EQ(scenario.magnetic_field.terms.size(), 2U);
+  EXPECT_EQ(scenario.magnetic_field.terms[1].h_rate, 8.0);
+  const std::string written = scene::ToJson(scenario).Dump();
+  const scene::Scenario again = scene::ParseScenario(written, "b.json");
+  EXPECT_EQ(again.magnetic_field, scenario.magnetic_field);
+  EXPECT_EQ(scene::ToJson(again).Dump(), written);
+  const auto with = [](const std::string& field) {
+    return Scene("", R"({"x": 0, "y": 0})", "", R"("magnetic_field": )" + field + ",");
+  };
+  EXPECT_THROW(scene::ParseScenario(with(R"({"epoch": 2010, "terms": [[1, 2, 0, 0, 0, 0]]})"), "c"),
+               Error);
+  EXPECT_THROW(scene::ParseScenario(with(R"({"file": "no_such.cof"})"), "c"), Error);
+}
+
 TEST(MorseMagnetometerTest, AWorldThatLiesNowhereIsAnError) {
   try {
     Trial run(Scene(R"({"name": "m", "type": "Magnetometer"})"));

@@ -34,8 +34,8 @@ robot = ATRV()
 robot.translate(-3, 1)
 pose = Pose()
 robot.append(pose)
-imu = IMU()
-robot.append(imu)
+joystick = Joystick()
+robot.append(joystick)
 env = Environment('empty')
 )");
   const scene::ImportedScenario made = SceneFromScript(script.path());
@@ -50,7 +50,7 @@ env = Environment('empty')
   ASSERT_EQ(made.notes.size(), 1U);
   EXPECT_EQ(made.notes[0].at.line, 6);
   EXPECT_EQ(made.notes[0].at.file, script.path());
-  EXPECT_EQ(made.notes[0].text, "robot.imu: the component IMU is not simulated yet");
+  EXPECT_EQ(made.notes[0].text, "robot.joystick: the component Joystick is not simulated yet");
   EXPECT_EQ(made.scenario.world.low.x, -20.0);
 }
 

@@ -237,9 +237,16 @@ function drive(): void {
   if (robot === undefined) return;
   const axis = (plus: string, minus: string) =>
     (held.has(plus) ? 1 : 0) - (held.has(minus) ? 1 : 0);
-  const v = 0.6 * robot.max_speed * (axis("up", "down") + stick.v);
-  const w = 0.5 * robot.max_turn_rate * (axis("left", "right") + stick.w);
-  call(deviceOf(chosen, "MotionVW"), "set_speed", [v, w]);
+  const forward = Math.max(-1, Math.min(1, axis("up", "down") + stick.v));
+  const left = Math.max(-1, Math.min(1, axis("left", "right") + stick.w));
+  const keyboard = deviceOf(chosen, "Keyboard"); // MORSE's, which knows its own speed
+  if (keyboard !== undefined) {
+    call(keyboard, "drive", [forward, left]);
+  } else {
+    const v = 0.6 * robot.max_speed * forward;
+    const w = 0.5 * robot.max_turn_rate * left;
+    call(deviceOf(chosen, "MotionVW"), "set_speed", [v, w]);
+  }
   if (held.size === 0 && stick.v === 0 && stick.w === 0) {
     clearInterval(driving);
     driving = 0;

@@ -62,6 +62,7 @@ def build():
     physics = environment.physics(dynamic)
     if dynamic:
         scene["physics"] = physics
+    _check_compounds(scene["robots"])
     scene.update(_world(environment, scene["robots"]))
     props = [_prop(item) for item in AbstractComponent.components
              if isinstance(item, PassiveObject) and not item.is_canvas]
@@ -316,6 +317,23 @@ def _own_shapes(robot):
 
 
 # Components
+
+def _check_compounds(robots):
+    """Says which sensors of a CompoundSensor have no data, as they are not simulated."""
+    known = {"%s.%s" % (robot["name"], component["name"])
+             for robot in robots for component in robot["components"]}
+    for robot in robots:
+        for component in robot["components"]:
+            if component["type"] != "CompoundSensor":
+                continue
+            named = component.get("properties", {}).get("sensors", "").split(",")
+            missing = [name for name in named if name and name not in known]
+            if missing:
+                full = "%s.%s" % (robot["name"], component["name"])
+                place = next((item.place for item in AbstractComponent.components
+                              if item.full_name == full), None)
+                places.note("%s: it has no data of %s" % (full, ", ".join(missing)), place)
+
 
 _IDENTITY = ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0, 0.0, 0.0])
 
