@@ -81,7 +81,7 @@ void AddRobot(const sim::Robot& robot, const Parts& parts, const PictureOptions&
               PictureScene& scene) {
   const scene::RobotModel& model = robot.model();
   const int body = scene.AddMaterial({Linear(robot.def().color), 0.05, 0.28, false});
-  const double ground = robot.stand().z;
+  const double ground = robot.lift();
   const bool shown = AddShape(robot, scene);
   for (std::size_t i = 0; i < model.hull.size() && !shown; ++i) {
     const scene::HullPart& part = model.hull[i];
@@ -243,12 +243,12 @@ Camera FindCamera(const sim::Simulation& simulation, const std::string& name, do
     if (kind == "follow") {
       // As far behind as the robot is large: 0.9 m for one of SyRoTek's.
       const double far = std::max(1.0, 2.8 * std::max(robot.model().length, robot.model().height));
-      const Vec3 up{0.0, 0.0, robot.stand().z};
+      const Vec3 up{0.0, 0.0, robot.lift()};
       return Camera::LookAt(OnRobot(pose, far * Vec3{-0.9, 0.0, 0.65}) + up,
                             OnRobot(pose, far * Vec3{0.15, 0.0, 0.05}) + up);
     }
-    const double eye = robot.stand().z + robot.model().height + 0.03;
-    const double there = robot.stand().z + 0.7 * (robot.model().height + 0.03);
+    const double eye = robot.lift() + robot.model().height + 0.03;
+    const double there = robot.lift() + 0.7 * (robot.model().height + 0.03);
     return Camera::LookAt(OnRobot(pose, {0.0, 0.0, eye}), OnRobot(pose, {1.0, 0.0, there}));
   }
   throw Error("there is no camera '" + name +

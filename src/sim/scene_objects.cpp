@@ -19,7 +19,7 @@ Vec3 SceneObject::WorldPosition() const {
 }
 
 Rotation SceneObject::WorldRotation() const {
-  if (robot != nullptr) return FromEuler(0.0, 0.0, robot->pose().yaw);
+  if (robot != nullptr) return robot->rotation();
   return holder == nullptr ? rotation : Combined(PlaceOfMount(*holder).rotation, rotation);
 }
 

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/euler.h"
 #include "base/json.h"
 #include "base/trig.h"
 #include "scene/scenario.h"
-#include "base/euler.h"
 #include "sim/simulation.h"
 
 namespace ccmorse::sim {

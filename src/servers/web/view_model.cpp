@@ -268,9 +268,10 @@ std::string ViewModel::Frame(Seen& seen, double rate, const TimeState& time) {
     out.Single(robot->twist().v);
     out.Single(robot->twist().w);
     out.Word(robot->stalled() ? 1 : 0);
-    out.Single(robot->stand().z);
-    out.Single(robot->stand().roll);
-    out.Single(robot->stand().pitch);
+    out.Single(robot->lift());
+    const Vec3 euler = robot->euler();
+    out.Single(euler.x);
+    out.Single(euler.y);
   }
   const auto& boxes = simulation_.world().scene().boxes;
   out.Word(static_cast<std::uint32_t>(boxes.size()));

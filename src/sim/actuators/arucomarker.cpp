@@ -13,8 +13,6 @@ Json Rows(const Rotation& r) {
                           Json::Array{r.x.z, r.y.z, r.z.z}});
 }
 
-Rotation OfRobot(const Robot& robot) { return FromEuler(0.0, 0.0, robot.pose().yaw); }
-
 }  // namespace
 
 Arucomarker::Arucomarker(Robot& robot, const std::string& name)
@@ -26,11 +24,11 @@ Arucomarker::Arucomarker(Robot& robot, const std::string& name)
   AddQuery({"get_world_position", {}, [this](Arguments) { return Listed(WorldPosition()); }});
   AddQuery({"get_local_position", {}, [this](Arguments) {
               return Listed(
-                  RotateBack(OfRobot(this->robot()), WorldPosition() - this->robot().position()));
+                  RotateBack(this->robot().rotation(), WorldPosition() - this->robot().position()));
             }});
   AddQuery({"get_world_orientation", {}, [this](Arguments) { return Rows(WorldRotation()); }});
   AddQuery({"get_local_orientation", {}, [this](Arguments) {
-              const Rotation of_robot = OfRobot(this->robot());
+              const Rotation of_robot = this->robot().rotation();
               const Rotation world = WorldRotation();
               return Rows({RotateBack(of_robot, world.x), RotateBack(of_robot, world.y),
                            RotateBack(of_robot, world.z)});

@@ -69,6 +69,8 @@ class Robot {
   Vec3 euler() const;         ///< roll, pitch, yaw, rad
   /// How a kinematic robot stands on uneven ground (World::terrain); level at z = 0 on all other.
   const Stand& stand() const { return stand_; }
+  /// How much higher it is than on a level floor at z = 0, m.
+  double lift() const { return stand_.z + height_ - model_.origin_height; }
   /// May its frame lie other than level?
   bool tilted() const { return dynamic() || stand_.roll != 0.0 || stand_.pitch != 0.0; }
   /// Where the middle of its footprint is, m, in the world: heights of its hull count from there.
