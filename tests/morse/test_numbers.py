@@ -74,7 +74,7 @@ class Numbers(unittest.TestCase):
             counts = {}
             for name in simu.robots:
                 robot = getattr(simu, name)
-                robot["motion"].publish({"v": 0.2, "w": 0.5})
+                robot.motion.publish({"v": 0.2, "w": 0.5})
                 for sensor in ("pose", "odometry", "gyroscope", "velocity", "accelerometer"):
                     key = name + "." + sensor
                     counts[key] = 0
@@ -82,8 +82,8 @@ class Numbers(unittest.TestCase):
                     def count(data, key=key):
                         counts[key] += 1
 
-                    robot[sensor].lazy_init()
-                    robot[sensor].subscribe(count)
+                    getattr(robot, sensor).lazy_init()
+                    getattr(robot, sensor).subscribe(count)
             self.assertEqual(len(counts), 150)
             simu.sleep(1.0)
             before = dict(counts)

@@ -173,7 +173,8 @@ class BestEffort(unittest.TestCase):
             ports = run.morse.rpc("simulation", "get_all_stream_ports")
             self.assertEqual(len(set(ports.values())), 2)
             served = sorted(name for name, known in details.items() if "services" in known)
-            self.assertEqual(served, ["other.served", "robot.gps", "robot.pose"])
+            # A keyboard is moved by the view, which calls a service of it.
+            self.assertEqual(served, ["other.served", "robot.gps", "robot.keyboard", "robot.pose"])
             self.assertAlmostEqual(run.read("other.served")["x"], 5.0)
 
     def test_c1_properties_of_components_and_robots(self):

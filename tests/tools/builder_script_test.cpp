@@ -51,7 +51,7 @@ env = Environment('empty')
   EXPECT_EQ(made.notes[0].at.line, 6);
   EXPECT_EQ(made.notes[0].at.file, script.path());
   EXPECT_EQ(made.notes[0].text, "robot.joystick: the component Joystick is not simulated yet");
-  EXPECT_EQ(made.scenario.world.low.x, -20.0);
+  EXPECT_NEAR(made.scenario.world.low.x, -20.0, 1e-4);  // a float of the model file
 }
 
 TEST(BuilderScript, ArgumentsAndEnvironmentReachIt) {

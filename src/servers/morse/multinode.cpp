@@ -83,7 +83,7 @@ struct Multinode::State : std::enable_shared_from_this<Multinode::State> {
       const Vec3 place = robot->position();
       told.position = {place.x, place.y, place.z};
       told.rotation = {0.0, 0.0, robot->pose().yaw};
-      const sim::Twist twist = robot->dynamics() ? robot->command() : sim::Twist{};
+      const sim::Twist twist = robot->held() ? sim::Twist{} : robot->command();
       told.command = {twist.v, twist.w, twist.side};
       if (finished) told.hash = robot->hash().value();
     }

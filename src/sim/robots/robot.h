@@ -125,6 +125,7 @@ class Robot {
 
   /// A robot that is held stays where it is, whatever it is told (MORSE's set_object_dynamics).
   void set_held(bool held) { held_ = held; }
+  bool held() const { return held_; }
 
   /// One physics step among the given obstacles.
   void Move(const Instant& now, std::span<const Obstacle* const> obstacles);
