@@ -114,7 +114,7 @@ OwnChange OwnChange::Parse(const Json& change) {
       parsed.data_ = value;
     } else if (key == "do" && value.IsArray()) {
       for (const Json& deed : value.AsArray()) parsed.deeds_.push_back(ParseDeed(deed));
-    } else if (key == "off" && value.IsString()) {
+    } else if (key == "off" && value.IsBool()) {
       parsed.off_ = true;
     } else {
       throw Error(fmt::format("what own code has done has no '{}' like that", key));

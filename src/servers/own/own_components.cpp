@@ -208,7 +208,8 @@ void OwnComponents::Take(const OwnTask& task, const OwnAnswer& answer) {
 void OwnComponents::SwitchOff(sim::OwnComponent& component, const std::string& reason) {
   if (std::exchange(off_[&component], true)) return;
   LogError("{} is switched off: {}", component.component().full_name(), reason);
-  directory_.ChangeOwn(component, Json(Json::Object{{"off", reason}}));
+  // The reason names places on this machine, which are nothing for a record.
+  directory_.ChangeOwn(component, Json(Json::Object{{"off", true}}));
   EndServices(component,
               component.component().full_name() + " was switched off: its code has failed");
 }
