@@ -224,7 +224,8 @@ Color MeanOf(const Coating& coating, const std::array<Vec2, 3>& uv) {
       // The middle of a small triangle, every second of which stands on its head.
       const double third = k % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
       const double a = (i + third) / kSplit;
-      const double b = (k / 2 + third) / kSplit;
+      const int column = k / 2;
+      const double b = (column + third) / kSplit;
       const Vec2 at = (1.0 - a - b) * uv[0] + a * uv[1] + b * uv[2];
       const Color color = coating.picture->At(at.x * coating.repeats.x, at.y * coating.repeats.y);
       sum[0] += color.r;

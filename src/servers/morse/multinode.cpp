@@ -153,7 +153,7 @@ std::set<std::string> Multinode::External(const scene::MultinodeDef& def, const 
 }
 
 Multinode::Multinode(asio::io_context& io, sim::Simulation& simulation,
-                     const scene::MultinodeDef& def, std::string node,
+                     const scene::MultinodeDef& def, const std::string& node,
                      std::function<bool()> goes_on)
     : state_(std::make_shared<State>(io, simulation, node, std::move(goes_on))) {
   state_->external = External(def, node);

@@ -26,7 +26,7 @@ class Multinode {
   /// this comes before whoever serves the simulation. Throws Error when the server is not there.
   /// `goes_on` is asked while the others are waited for: false ends the waiting.
   Multinode(boost::asio::io_context& io, sim::Simulation& simulation,
-            const scene::MultinodeDef& def, std::string node, std::function<bool()> goes_on);
+            const scene::MultinodeDef& def, const std::string& node, std::function<bool()> goes_on);
   ~Multinode();
   Multinode(const Multinode&) = delete;
   Multinode& operator=(const Multinode&) = delete;

@@ -15,12 +15,14 @@ constexpr double kReference = 6371200.0;  // m, the radius that the terms are fo
 // Numbers by degree and order.
 class Table {
  public:
-  double& operator()(int n, int m) { return numbers_[static_cast<std::size_t>(n * kSize + m)]; }
-  double operator()(int n, int m) const {
-    return numbers_[static_cast<std::size_t>(n * kSize + m)];
-  }
+  double& operator()(int n, int m) { return numbers_[At(n, m)]; }
+  double operator()(int n, int m) const { return numbers_[At(n, m)]; }
 
  private:
+  static std::size_t At(int n, int m) {
+    return static_cast<std::size_t>(n) * kSize + static_cast<std::size_t>(m);
+  }
+
   std::array<double, std::size_t{kSize} * kSize> numbers_{};
 };
 
