@@ -10,6 +10,7 @@
 namespace ccmorse::sim {
 
 constexpr double kMostForce = 1e9;  ///< N or Nm: more of either is refused
+constexpr double kMostGain = 1e4;   ///< of a controller, in its units
 
 /// Throws Error unless the component's robot is dynamic: no other can be pushed.
 void NeedBody(const Component& component);

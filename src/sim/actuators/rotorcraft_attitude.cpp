@@ -5,11 +5,6 @@
 #include "base/trig.h"
 
 namespace ccmorse::sim {
-namespace {
-
-constexpr double kMostGain = 1e4;
-
-}  // namespace
 
 RotorcraftAttitude::RotorcraftAttitude(Robot& robot, const std::string& name,
                                        const scene::Scenario& scenario)

@@ -5,28 +5,12 @@
 #include "base/trig.h"
 
 namespace ccmorse::sim {
-namespace {
-
-constexpr double kMostGain = 1e4;
-
-}  // namespace
 
 RotorcraftVelocity::RotorcraftVelocity(Robot& robot, const std::string& name,
                                        const scene::Scenario& scenario)
-    : Actuator(robot, name, "RotorcraftVelocity", 60.0),
-      wanted_yaw_(robot.pose().yaw),
-      max_bank_(Radians(30.0)) {
-  NeedBody(*this);
-  fall_ = FallOf(robot, scenario);
-  AddProperty("HorizontalPgain", horizontal_p_, 0.0, kMostGain);
-  AddProperty("HorizontalDgain", horizontal_d_, 0.0, kMostGain);
-  AddProperty("VerticalPgain", vertical_p_, 0.0, kMostGain);
-  AddProperty("VerticalDgain", vertical_d_, 0.0, kMostGain);
-  AddProperty("YawPgain", yaw_p_, 0.0, kMostGain);
-  AddProperty("YawDgain", yaw_d_, 0.0, kMostGain);
-  AddProperty("RollPitchPgain", roll_pitch_p_, 0.0, kMostGain);
-  AddProperty("RollPitchDgain", roll_pitch_d_, 0.0, kMostGain);
-  AddProperty("MaxBankAngle", max_bank_, 0.0, Radians(80.0));
+    // rad s/m, rad s^2/m, 1/s, 1
+    : RotorcraftPilot(robot, name, "RotorcraftVelocity", scenario, {0.2, 0.8, 8.0, 2.0, 12.0, 8.0}),
+      wanted_yaw_(robot.pose().yaw) {
   AddProperty("MaxVelocity", max_velocity_, 0.0, 1000.0);
   AddService({"setvel",
               {{"vx"}, {"vy"}, {"vz"}, {"vyaw"}, {"tolerance", true}},
@@ -63,22 +47,19 @@ void RotorcraftVelocity::Act(const Instant& now) {
                    within(velocity_.z, max_velocity_) - v.z};
   // Nose down it goes forwards, left side up to the right.
   const double pitch =
-      within(forward_.Update(error.x, horizontal_p_, horizontal_d_, now.step), max_bank_);
+      Bank(forward_.Update(error.x, gains().horizontal_p, gains().horizontal_d, now.step));
   const double roll =
-      within(-left_.Update(error.y, horizontal_p_, horizontal_d_, now.step), max_bank_);
+      Bank(-left_.Update(error.y, gains().horizontal_p, gains().horizontal_d, now.step));
   wanted_yaw_ = NormalizeAngle(wanted_yaw_ + turn_ * now.step);
   // The derivative of the vertical error is an acceleration, which the thrust itself makes: that
   // part counts as of one tick, or the loop would follow its own doing.
-  const double up = fall_ + up_.Update(error.z, vertical_p_, vertical_d_ * now.step, now.step);
-  const double upright = std::max(0.1, robot().rotation().z.z);
-  const double lift = robot().model().mass * std::max(0.0, up) / upright;
-  robot().Push(lift * robot().rotation().z, {});
-  loops_.Turn(robot(), {roll, pitch, wanted_yaw_}, {roll_pitch_p_, roll_pitch_d_, yaw_p_, yaw_d_},
-              1.0, now.step);
+  const double up =
+      fall() + up_.Update(error.z, gains().vertical_p, gains().vertical_d * now.step, now.step);
+  Fly({roll, pitch, wanted_yaw_}, up, now.step);
 }
 
 void RotorcraftVelocity::Reset() {
-  Actuator::Reset();
+  RotorcraftPilot::Reset();
   velocity_ = {};
   turn_ = 0.0;
   tolerance_ = 0.2;
@@ -86,7 +67,6 @@ void RotorcraftVelocity::Reset() {
   forward_.Reset();
   left_.Reset();
   up_.Reset();
-  loops_.Reset();
 }
 
 void RotorcraftVelocity::AppendFields(std::string& out) const {

@@ -1,6 +1,5 @@
 #include "sim/actuators/rotorcraft_waypoint.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -10,28 +9,15 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr double kMostGain = 1e4;
 constexpr double kFarthest = 1e6;  // m
 
 }  // namespace
 
 RotorcraftWaypoint::RotorcraftWaypoint(Robot& robot, const std::string& name,
                                        const scene::Scenario& scenario)
-    : Actuator(robot, name, "RotorcraftWaypoint", 60.0),
-      horizontal_p_(Radians(6.0)),
-      horizontal_d_(Radians(8.0)),
-      max_bank_(Radians(30.0)) {
-  NeedBody(*this);
-  fall_ = FallOf(robot, scenario);
-  AddProperty("HorizontalPgain", horizontal_p_, 0.0, kMostGain);
-  AddProperty("HorizontalDgain", horizontal_d_, 0.0, kMostGain);
-  AddProperty("VerticalPgain", vertical_p_, 0.0, kMostGain);
-  AddProperty("VerticalDgain", vertical_d_, 0.0, kMostGain);
-  AddProperty("YawPgain", yaw_p_, 0.0, kMostGain);
-  AddProperty("YawDgain", yaw_d_, 0.0, kMostGain);
-  AddProperty("RollPitchPgain", roll_pitch_p_, 0.0, kMostGain);
-  AddProperty("RollPitchDgain", roll_pitch_d_, 0.0, kMostGain);
-  AddProperty("MaxBankAngle", max_bank_, 0.0, Radians(80.0));
+    // rad/m, rad s/m, 1/s^2, 1/s
+    : RotorcraftPilot(robot, name, "RotorcraftWaypoint", scenario,
+                      {Radians(6.0), Radians(8.0), 8.0, 8.0, 12.0, 6.0}) {
   AddProperty("RemainAtDestination", remain_);
   AddProperty("Target", shown_);
   const std::vector<ServiceParameter> destination = {
@@ -105,21 +91,17 @@ void RotorcraftWaypoint::Act(const Instant& now) {
     if (!remain_) StayHere();
     Finish(Outcome::kSuccess, status_);
   }
-  const auto bank = [this](double angle) { return std::clamp(angle, -max_bank_, max_bank_); };
   const auto [s, c] = SinCos(robot().euler().z);
   const Vec3 off = target_.point - robot().position();
   const Vec3 v = robot().velocity();
   // Nose down it goes forwards, left side up to the right.
+  const Gains& k = gains();
   const double pitch =
-      bank(horizontal_p_ * (c * off.x + s * off.y) - horizontal_d_ * (c * v.x + s * v.y));
+      Bank(k.horizontal_p * (c * off.x + s * off.y) - k.horizontal_d * (c * v.x + s * v.y));
   const double roll =
-      -bank(horizontal_p_ * (c * off.y - s * off.x) - horizontal_d_ * (c * v.y - s * v.x));
-  const double up = fall_ + vertical_p_ * off.z - vertical_d_ * v.z;
-  const double upright = std::max(0.1, robot().rotation().z.z);
-  const double lift = robot().model().mass * std::max(0.0, up) / upright;
-  robot().Push(lift * robot().rotation().z, {});
-  loops_.Turn(robot(), {roll, pitch, target_.yaw}, {roll_pitch_p_, roll_pitch_d_, yaw_p_, yaw_d_},
-              1.0, now.step);
+      -Bank(k.horizontal_p * (c * off.y - s * off.x) - k.horizontal_d * (c * v.y - s * v.x));
+  const double up = fall() + k.vertical_p * off.z - k.vertical_d * v.z;
+  Fly({roll, pitch, target_.yaw}, up, now.step);
 }
 
 void RotorcraftWaypoint::Finish(Outcome outcome, const char* text) {
@@ -136,10 +118,9 @@ void RotorcraftWaypoint::Interrupt() {
 }
 
 void RotorcraftWaypoint::Reset() {
-  Actuator::Reset();
+  RotorcraftPilot::Reset();
   Interrupt();
   target_.tolerance = 0.2;
-  loops_.Reset();
 }
 
 void RotorcraftWaypoint::AppendFields(std::string& out) const {
