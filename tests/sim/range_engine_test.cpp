@@ -142,7 +142,8 @@ struct Reference {
   }
 
   // The nearest point in the cone by cutting triangles into smaller ones, the most promising first;
-  // right to 1e-4 m. `half`: half the opening, rad. Not the floor.
+  // right to 1e-4 m of a cone that is right to 1e-4 rad. `half`: half the opening, rad. Not the
+  // floor.
   Real NearestInCone(const RealVec& apex, const RealVec& axis, Real half, Real range,
                      int self) const {
     struct Piece {
@@ -162,7 +163,7 @@ struct Reference {
       for (const RealVec& p : {a, b, c, centre}) {
         if (in_cone(p)) best = std::min(best, Norm(p));
       }
-      if (radius < 2e-5L) best = std::min(best, Norm(centre));
+      if (radius < std::min(2e-5L, 5e-5L * Norm(centre))) best = std::min(best, Norm(centre));
       if (Norm(centre) - radius < best - 5e-5L) pieces.push({Norm(centre) - radius, a, b, c});
     };
     for (const Triangle& t : triangles) {
