@@ -18,6 +18,7 @@
 #include "client/core/address.h"
 #include "client/core/connection.h"
 #include "client/core/device_registry.h"
+#include "client/core/rhythm.h"
 #include "client/core/subscription.h"
 #include "libCCMorse/MorseClient.h"
 #include "wire/fast_link.h"
@@ -199,7 +200,7 @@ struct MorseClient::Impl {
   std::uint64_t reads = 0;
   bool peeked = true;  // since the last Read(); true before the first one
   Clock::time_point last_read{};
-  Clock::time_point read_before{};  // the one before the last
+  core::Rhythm rhythm;  // of data, in real time
   double request_timeout = kRequestTimeout;
   int retry_limit = 0;
   double retry_time = 2.0;
@@ -574,7 +575,7 @@ void MorseClient::ReadOnce(bool may_abandon) {
     if (finished) {
       ++impl.reads;
       impl.peeked = false;
-      impl.read_before = std::exchange(impl.last_read, Clock::now());
+      impl.last_read = Clock::now();
     }
     impl.state_changed.notify_all();
   };
@@ -586,14 +587,14 @@ void MorseClient::ReadOnce(bool may_abandon) {
     Connection::Patience patience;
     if (may_abandon) patience.abandon = &impl.stop_thread;
     // In real time data come at regular intervals.
-    if (impl.reads > 1 && impl.pace == "realtime")
-      patience.expected = impl.last_read + (impl.last_read - impl.read_before);
+    if (impl.pace == "realtime") patience.expected = impl.rhythm.expected();
     if (impl.connection.Wait(round->batch, patience, kReadFunction) ==
         Connection::Outcome::kAbandoned) {
       impl.unfinished = round;
       leave(false);
       return;
     }
+    impl.rhythm.Came(Clock::now());
   } catch (...) {
     leave(false);
     throw;

@@ -14,6 +14,7 @@
 
 #include "client/core/address.h"
 #include "client/core/in_process.h"
+#include "client/core/rhythm.h"
 #include "client/core/tcp_connect.h"
 #include "client/core/vigil.h"
 #include "libCCMorse/MorseError.h"
@@ -53,7 +54,7 @@ struct TcpStream::Impl {
   Vigil vigil;
   // When data came: the first of the last two bursts.
   Clock::time_point arrived{};
-  Clock::time_point arrived_before{};
+  Rhythm rhythm;                          // of arrivals
   std::mutex mutex;                       // simulation
   std::shared_ptr<InProcess> simulation;  // that the other end belongs to; nullptr: TCP
 };
@@ -100,14 +101,14 @@ TcpStream::Wait TcpStream::Impl::Look(Clock::time_point until) {
 
 void TcpStream::Impl::NoteArrival() {
   const auto now = Clock::now();
-  if (now - arrived > kBurst) arrived_before = std::exchange(arrived, now);
+  if (now - arrived > kBurst) rhythm.Came(arrived = now);
 }
 
 TcpStream::Wait TcpStream::WaitFor(Clock::time_point deadline) {
   Impl& impl = *impl_;
   Wait found = impl.Look({});
   while (found == Wait::kTimeout && Clock::now() < deadline) {
-    impl.vigil.Begin(deadline, impl.arrived + (impl.arrived - impl.arrived_before));
+    impl.vigil.Begin(deadline, impl.rhythm.expected());
     while (found == Wait::kTimeout && impl.vigil.StaysAwake()) found = impl.Look({});
     if (found == Wait::kTimeout) found = impl.Look(impl.vigil.sleep_until());
   }

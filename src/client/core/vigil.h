@@ -21,10 +21,10 @@ class Vigil {
     expected_ = expected;
     awake_until_ = wakefulness_.Pays(now) ? now + kAtFirst : now;
     sleep_until_ = until;
-    if (now < expected - kAround) {
-      sleep_until_ = std::min(until, expected - kAround);
+    if (now < expected - kBefore) {
+      sleep_until_ = std::min(until, expected - kBefore);
     } else {
-      awake_until_ = std::max(awake_until_, expected + kAround);
+      awake_until_ = std::max(awake_until_, expected + kAfter);
     }
     awake_until_ = std::min(sleep_until_, awake_until_);
   }
@@ -34,7 +34,7 @@ class Vigil {
   bool StaysAwake() {
     const auto now = Clock::now();
     if (now >= awake_until_) return false;
-    if (now < expected_ - kAround || now > expected_ + kAround) wakefulness_.GiveWay();
+    if (now < expected_ - kBefore || now > expected_ + kAfter) wakefulness_.GiveWay();
     return true;
   }
 
@@ -43,7 +43,9 @@ class Vigil {
 
  private:
   static constexpr auto kAtFirst = std::chrono::microseconds(100);
-  static constexpr auto kAround = std::chrono::microseconds(200);
+  // A timer of an idle virtual machine rings 0.1 to 0.4 ms late.
+  static constexpr auto kBefore = std::chrono::microseconds(500);
+  static constexpr auto kAfter = std::chrono::microseconds(200);
   Clock::time_point expected_{};
   Clock::time_point awake_until_{};
   Clock::time_point sleep_until_{};
