@@ -15,14 +15,14 @@
 #include "assets/shape_builder.h"
 #include "assets/triangulate.h"
 #include "base/error.h"
+#include "base/trig.h"
 
 namespace ccmorse::assets {
 namespace {
 
-constexpr int kOldest = 260;  // 2.60
-constexpr int kNewest = 279;  // 2.79
-constexpr int kDeepest = 8;   // groups within groups
-constexpr double kPi = 3.14159265358979323846;
+constexpr int kOldest = 260;      // 2.60
+constexpr int kNewest = 279;      // 2.79
+constexpr int kDeepestGroup = 8;  // groups within groups
 
 // Bits of Object.gameflag.
 constexpr std::int64_t kDynamic = 1;
@@ -960,7 +960,7 @@ class BlendReader {
                                          scene_.objects[index].name));
       return;
     }
-    if (depth > kDeepest) {
+    if (depth > kDeepestGroup) {
       scene_.notes.push_back(fmt::format("groups within groups of '{}' are too many", name));
       return;
     }

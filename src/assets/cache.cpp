@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 // Counts up whenever a reader reads something else than before, or the form below changes.
 constexpr std::uint32_t kVersion = 2;
-constexpr std::uint32_t kMagic = 0x41434343;  // "CCCA" on a little-endian machine
+constexpr std::uint32_t kCacheMagic = 0x41434343;  // "CCCA" on a little-endian machine
 
 // The form is the machine's own: a cache is not for carrying about. Reading and writing go through
 // the same Visit(), so that they cannot disagree.
@@ -214,7 +214,7 @@ std::uint32_t Checksum(const char* from, std::size_t bytes) {
 
 // What a cache begins with, so that nothing else is taken for one.
 struct Head {
-  std::uint32_t magic = kMagic;
+  std::uint32_t magic = kCacheMagic;
   std::uint32_t version = kVersion;
   std::uint64_t size = 0;  // bytes behind it
   std::uint32_t checksum = 0;
@@ -261,7 +261,7 @@ std::optional<AssetScene> ReadCache(const std::string& cache, const std::string&
   if (size < sizeof head) return std::nullopt;
   std::vector<char> bytes(size - sizeof head);
   file.seekg(0);
-  if (!file.read(reinterpret_cast<char*>(&head), sizeof head) || head.magic != kMagic ||
+  if (!file.read(reinterpret_cast<char*>(&head), sizeof head) || head.magic != kCacheMagic ||
       head.version != kVersion || head.size != bytes.size() ||
       !file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) ||
       head.checksum != Checksum(bytes.data(), bytes.size())) {

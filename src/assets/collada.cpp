@@ -13,12 +13,12 @@
 #include "assets/readers.h"
 #include "assets/shape_builder.h"
 #include "base/error.h"
+#include "base/trig.h"
 
 namespace ccmorse::assets {
 namespace {
 
-constexpr int kDeepest = 64;  // nodes within nodes
-constexpr double kPi = 3.14159265358979323846;
+constexpr int kDeepestNode = 64;  // nodes within nodes
 
 // A library's elements by id, and the words of their texts as numbers.
 class ColladaReader {
@@ -175,7 +175,7 @@ class ColladaReader {
   }
 
   void ReadNode(const pugi::xml_node& node, const Affine& above, int parent, int depth) {
-    if (depth > kDeepest) builder_.Fail("has nodes within nodes too deep, or in a circle");
+    if (depth > kDeepestNode) builder_.Fail("has nodes within nodes too deep, or in a circle");
     const Affine matrix = above * MatrixOf(node);
     std::string name = node.attribute("name").as_string(node.attribute("id").value());
     if (name.empty()) name = "node";

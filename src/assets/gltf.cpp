@@ -17,10 +17,10 @@
 namespace ccmorse::assets {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x46546C67;   // "glTF" (4.4.2)
-constexpr std::uint32_t kJson = 0x4E4F534A;    // "JSON"
-constexpr std::uint32_t kBinary = 0x004E4942;  // "BIN"
-constexpr int kDeepest = 64;                   // nodes within nodes
+constexpr std::uint32_t kGltfMagic = 0x46546C67;  // "glTF" (4.4.2)
+constexpr std::uint32_t kJson = 0x4E4F534A;       // "JSON"
+constexpr std::uint32_t kBinary = 0x004E4942;     // "BIN"
+constexpr int kDeepestGltfNode = 64;              // nodes within nodes
 
 // y up and z forward there, z up here (3.4).
 Vec3 Upright(const Vec3& v) { return {v.x, -v.z, v.y}; }
@@ -32,7 +32,7 @@ class GltfReader {
 
   AssetScene Read(const Bytes& bytes) {
     std::string text(bytes.begin(), bytes.end());
-    if (bytes.size() >= 12 && Little(bytes, 0, 4) == kMagic) text = Unpack(bytes);
+    if (bytes.size() >= 12 && Little(bytes, 0, 4) == kGltfMagic) text = Unpack(bytes);
     try {
       root_ = Json::Parse(text);
     } catch (const JsonError& error) {
@@ -208,7 +208,7 @@ class GltfReader {
   }
 
   void ReadNode(std::size_t index, const Affine& above, int parent, int depth) {
-    if (depth > kDeepest) builder_.Fail("has nodes within nodes too deep, or in a circle");
+    if (depth > kDeepestGltfNode) builder_.Fail("has nodes within nodes too deep, or in a circle");
     const Json& node = Need("nodes", index);
     const Affine matrix = above * MatrixOf(node);
     const std::optional<std::size_t> mesh = Index(node, "mesh");

@@ -21,7 +21,7 @@ std::string_view Trimmed(std::string_view text) {
 }
 
 // Takes the first word off a line.
-std::string_view Word(std::string_view& line) {
+std::string_view TakeWord(std::string_view& line) {
   line = Trimmed(line);
   const std::size_t to = std::min(line.find_first_of(" \t"), line.size());
   const std::string_view word = line.substr(0, to);
@@ -66,7 +66,7 @@ class ObjReader {
     scene_.format = "Wavefront OBJ";
     EachLine(text, [&](std::string_view line, int number) {
       line_ = number;
-      const std::string_view word = Word(line);
+      const std::string_view word = TakeWord(line);
       if (word == "v") {
         ReadVertex(line);
       } else if (word == "f") {
@@ -92,7 +92,7 @@ class ObjReader {
   void ReadVertex(std::string_view line) {
     Vec3 vertex;
     for (double* const to : {&vertex.x, &vertex.y, &vertex.z}) {
-      if (!ToNumber(Word(line), *to)) Fail("'v' must be followed by three numbers");
+      if (!ToNumber(TakeWord(line), *to)) Fail("'v' must be followed by three numbers");
     }
     vertices_.push_back(vertex);
     if (vertices_.size() / 3 > limits_.triangles) Fail("there are too many vertices");
@@ -106,7 +106,7 @@ class ObjReader {
     }
     AssetObject& object = scene_.objects[static_cast<std::size_t>(object_)];
     std::vector<int> face;
-    for (std::string_view word = Word(line); !word.empty(); word = Word(line)) {
+    for (std::string_view word = TakeWord(line); !word.empty(); word = TakeWord(line)) {
       long index = 0;
       if (!ToNumber(word.substr(0, word.find('/')), index)) Fail("a face's corner is no number");
       const auto count = static_cast<long>(vertices_.size());
@@ -134,7 +134,7 @@ class ObjReader {
     AssetMaterial* material = nullptr;
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     EachLine(text, [&](std::string_view line, int) {
-      const std::string_view word = Word(line);
+      const std::string_view word = TakeWord(line);
       if (word == "newmtl") {
         material = &scene_.materials.emplace_back();
         material->name = std::string(Trimmed(line));
@@ -146,14 +146,14 @@ class ObjReader {
       if (word == "Kd") {
         double green = 0.0;
         double blue = 0.0;
-        if (!ToNumber(Word(line), value) || !ToNumber(Word(line), green) ||
-            !ToNumber(Word(line), blue)) {
+        if (!ToNumber(TakeWord(line), value) || !ToNumber(TakeWord(line), green) ||
+            !ToNumber(TakeWord(line), blue)) {
           return;
         }
         material->color = {FromShare(value), FromShare(green), FromShare(blue)};
-      } else if (word == "d" && ToNumber(Word(line), value)) {
+      } else if (word == "d" && ToNumber(TakeWord(line), value)) {
         material->alpha = value >= 0.0 && value <= 1.0 ? value : 1.0;
-      } else if (word == "Tr" && ToNumber(Word(line), value)) {
+      } else if (word == "Tr" && ToNumber(TakeWord(line), value)) {
         material->alpha = value >= 0.0 && value <= 1.0 ? 1.0 - value : 1.0;
       } else if (word == "map_Kd") {
         const std::string_view rest = Trimmed(line);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace ccmorse {
 
 /// A point or a vector in the plane, metres; x to the right of the world, y up.
@@ -33,6 +35,7 @@ constexpr Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y 
 constexpr Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 constexpr Vec3 operator*(double s, const Vec3& v) { return {s * v.x, s * v.y, s * v.z}; }
 constexpr double Dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline double Length(const Vec3& v) { return std::sqrt(Dot(v, v)); }
 constexpr Vec3 Cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }

@@ -122,6 +122,8 @@ double Atan2(double y, double x) {
   return estimate;
 }
 
+double ArcSine(double x) { return Atan2(x, std::sqrt(1.0 - x * x)); }
+
 double Exp(double x) {
   if (!(x >= -700.0)) return x < -700.0 ? 0.0 : x;  // NaN stays NaN
   x = std::min(x, 700.0);

@@ -26,6 +26,9 @@ double NormalizeAngle(double angle);
 /// atan2(y, x) within 1e-14 rad, the same bits on every machine; 0 for (0, 0).
 double Atan2(double y, double x);
 
+/// The angle whose sine is x, -1 < x < 1, rad; the same bits on every machine.
+double ArcSine(double x);
+
 /// Natural logarithm of a positive, normal number, within 2 ulp (or 1e-16 about 1), the same bits
 /// on every machine.
 double Log(double x);

@@ -19,7 +19,7 @@
 namespace ccmorse::grade {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kStuckTime = 5.0;       // s
 constexpr double kStuckWay = 0.05;       // m
 constexpr double kLeastDriven = 0.5;     // m, of who is to be praised for touching nothing
@@ -36,7 +36,7 @@ struct TimedAnswer {
 struct Evidence {
   std::vector<RobotTrack> robots;
   std::map<std::string, TimedAnswer> answers;  // the first robot's
-  double gap = kInfinity;                      // m, smallest between two robots
+  double gap = kEndless;                       // m, smallest between two robots
 };
 
 std::vector<Vec2> FootprintAt(const sim::Robot& robot) {
@@ -126,7 +126,7 @@ double LengthOf(const std::vector<Vec2>& line) {
 // began.
 double StuckTime(const std::vector<Sample>& samples) {
   double stuck = 0.0;
-  double counted_to = -kInfinity;
+  double counted_to = -kEndless;
   for (std::size_t i = 0, k = 0; i < samples.size(); ++i) {
     while (k + 1 < i && samples[i].time - samples[k + 1].time >= kStuckTime - 1e-9) ++k;
     const double begin = samples[k].time;
@@ -403,8 +403,8 @@ class Measures {
     const std::vector<Vec2>& goals = rubric_.reference.goals;
     std::vector<double> best(Samples().size(), 0.0);
     for (const Vec2& goal : goals) {
-      double least = kInfinity;
-      double before = kInfinity;
+      double least = kEndless;
+      double before = kEndless;
       for (std::size_t i = 0; i < Samples().size(); ++i) {
         before = std::min(before, best[i]);
         const Pose2& pose = Samples()[i].pose;

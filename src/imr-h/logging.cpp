@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "imr-h/imr_exceptions.h"
+#include "imr-h/trimmed.h"
 
 namespace imr {
 namespace {
@@ -67,13 +68,6 @@ void writeLine(const std::string& line) {
   const std::lock_guard<std::mutex> lock(outputMutex());
   std::cout.write(line.data(), static_cast<std::streamsize>(line.size()));
   std::cout.flush();
-}
-
-std::string trimmed(const std::string& text) {
-  const char* const blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 }  // namespace

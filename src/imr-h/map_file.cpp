@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "imr-h/png_gray.h"
+#include "imr-h/trimmed.h"
 
 namespace imr {
 namespace {
@@ -171,12 +172,6 @@ SMapFile fromPicture(const SGrayImage& image, double cellSize, const SLevels& le
     }
   }
   return map;
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string::npos) return "";
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
 // The flat "key: value" lines that map_server writes; an origin may be in brackets.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSector = 2.0 * kPi / Nd::kSectors;
 // A region as wide as this or wider is a wide one (90 degrees).
-constexpr int kWide = Nd::kSectors / 4;
+constexpr int kWideRegion = Nd::kSectors / 4;
 
 int Wrap(int sector) { return ((sector % Nd::kSectors) + Nd::kSectors) % Nd::kSectors; }
 std::size_t Index(int sector) { return static_cast<std::size_t>(Wrap(sector)); }
@@ -24,8 +24,6 @@ double AngleOf(int sector) {
 int SectorOf(double angle) {
   return Wrap(static_cast<int>(std::lround(angle / kSector)) + Nd::kSectors / 2);
 }
-
-double ArcSine(double x) { return Atan2(x, std::sqrt(1.0 - x * x)); }
 
 }  // namespace
 
@@ -212,7 +210,7 @@ Drive Nd::Step(const RobotState& state, std::span<const Vec2> hits) {
   if (region) {
     double offset = region->count * kSector / 2.0;
     high = NdSituation::kHighSafetyNarrow;
-    if (region->count >= kWide) {
+    if (region->count >= kWideRegion) {
       // Past the corner, at the zone's distance from it.
       high = NdSituation::kHighSafetyWide;
       const double clear = region->corner > zone ? ArcSine(zone / region->corner) : kPi / 2.0;

@@ -10,11 +10,9 @@ namespace {
 
 double Limit(double value, double low, double high) { return std::clamp(value, low, high); }
 
-std::size_t Index(int sector) { return static_cast<std::size_t>(sector); }
+std::size_t AsIndex(int sector) { return static_cast<std::size_t>(sector); }
 
 int Round(double value) { return static_cast<int>(std::lround(value)); }
-
-double ArcSine(double x) { return Atan2(x, std::sqrt(1.0 - x * x)); }
 
 // Sectors from the valley's right end to its left end.
 int WidthOf(const NearnessDiagram& diagram, const SndValley& valley) {
@@ -31,7 +29,7 @@ int OpenWidth(const NearnessDiagram& diagram, const SndValley& valley) {
   int width = 0;
   while (width < all) {
     const int sector = diagram.Wrap(valley.rising.sector + valley.direction * (width + 1));
-    if (diagram.distance[Index(sector)] < valley.rising.distance) break;
+    if (diagram.distance[AsIndex(sector)] < valley.rising.distance) break;
     ++width;
   }
   return width;
@@ -64,23 +62,23 @@ NearnessDiagram MakeNearnessDiagram(const ScanView& scan, const SndOptions& opti
   const int beams = static_cast<int>(scan.ranges.size());
   diagram.beams = std::min(beams, diagram.count);
   diagram.first = std::max(0, diagram.count / 2 - beams / 2);
-  diagram.distance.assign(Index(diagram.count), scan.range_max);
+  diagram.distance.assign(AsIndex(diagram.count), scan.range_max);
   for (int i = 0; i < diagram.count; ++i) {
     const int beam = i - diagram.count / 2 + beams / 2;
     if (beam < 0 || beam >= beams) continue;
-    const double range = CleanRange(scan.ranges[Index(beam)], scan.range_max);
-    if (range >= options.min_range) diagram.distance[Index(i)] = range;
+    const double range = CleanRange(scan.ranges[AsIndex(beam)], scan.range_max);
+    if (range >= options.min_range) diagram.distance[AsIndex(i)] = range;
   }
-  diagram.nearness.resize(Index(diagram.count));
-  diagram.points.resize(Index(diagram.count));
+  diagram.nearness.resize(AsIndex(diagram.count));
+  diagram.points.resize(AsIndex(diagram.count));
   diagram.nearest = scan.range_max;
   for (int i = 0; i < diagram.count; ++i) {
-    const double distance = diagram.distance[Index(i)];
-    diagram.nearness[Index(i)] =
+    const double distance = diagram.distance[AsIndex(i)];
+    diagram.nearness[AsIndex(i)] =
         distance >= scan.range_max ? 0.0 : scan.range_max + 2.0 * options.robot_radius - distance;
     const int from_ahead = i - diagram.ahead();
     const auto [sine, cosine] = SinCos(from_ahead * scan.resolution);
-    diagram.points[Index(i)] = {distance * cosine, distance * sine};
+    diagram.points[AsIndex(i)] = {distance * cosine, distance * sine};
     diagram.nearest = std::min(diagram.nearest, distance);
   }
   diagram.safety = Limit(5.0 * (diagram.nearest - options.robot_radius), 0.0,
@@ -92,9 +90,9 @@ std::vector<SndGap> FindGaps(const NearnessDiagram& diagram, const SndOptions& o
   const double jump = options.min_gap_width.value();
   std::vector<SndGap> found;
   const auto compare = [&](int right, int left) {
-    const double rise = diagram.nearness[Index(left)] - diagram.nearness[Index(right)];
-    if (rise > jump) found.push_back({right, 1, diagram.distance[Index(left)]});
-    if (rise < -jump) found.push_back({left, -1, diagram.distance[Index(right)]});
+    const double rise = diagram.nearness[AsIndex(left)] - diagram.nearness[AsIndex(right)];
+    if (rise > jump) found.push_back({right, 1, diagram.distance[AsIndex(left)]});
+    if (rise < -jump) found.push_back({left, -1, diagram.distance[AsIndex(right)]});
   };
   const int last = diagram.first + diagram.beams - 1;
   if (diagram.beams == 0) return found;
@@ -102,11 +100,11 @@ std::vector<SndGap> FindGaps(const NearnessDiagram& diagram, const SndOptions& o
   if (diagram.full_circle()) {
     compare(diagram.Wrap(diagram.first - 1), diagram.first);
   } else {
-    found.push_back({diagram.first, 1, diagram.distance[Index(diagram.first)]});
+    found.push_back({diagram.first, 1, diagram.distance[AsIndex(diagram.first)]});
   }
   for (int i = diagram.first + 1; i <= last; ++i) compare(i - 1, i);
   if (!diagram.full_circle()) {
-    found.push_back({last, -1, diagram.distance[Index(last)]});
+    found.push_back({last, -1, diagram.distance[AsIndex(last)]});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const SndGap& a, const SndGap& b) { return a.sector < b.sector; });
@@ -132,8 +130,8 @@ bool IsSafeGap(const NearnessDiagram& diagram, const SndGap& gap, const SndOptio
   const double room = 2.2 * options.robot_radius;
   for (int k = 1; k <= diagram.count / 4; ++k) {
     const int sector = diagram.Wrap(gap.sector - gap.direction * k);
-    if (diagram.distance[Index(sector)] >= diagram.range_max) continue;
-    const Vec2 apart = diagram.points[Index(sector)] - corner;
+    if (diagram.distance[AsIndex(sector)] >= diagram.range_max) continue;
+    const Vec2 apart = diagram.points[AsIndex(sector)] - corner;
     if (Dot(apart, apart) < room * room) return false;
   }
   return true;
@@ -187,9 +185,9 @@ bool IsCorridorClear(const NearnessDiagram& diagram, int sector, double goal_dis
   const auto [sine, cosine] = SinCos((sector - diagram.ahead()) * diagram.resolution);
   const Vec2 way{cosine, sine};
   for (int i = 0; i < diagram.count; ++i) {
-    if (diagram.distance[Index(i)] >= diagram.range_max) continue;
-    const double along = Dot(way, diagram.points[Index(i)]);
-    const double across = Cross(way, diagram.points[Index(i)]);
+    if (diagram.distance[AsIndex(i)] >= diagram.range_max) continue;
+    const double along = Dot(way, diagram.points[AsIndex(i)]);
+    const double across = Cross(way, diagram.points[AsIndex(i)]);
     if (along > 0.0 && along < length && std::abs(across) < options.robot_radius) return false;
   }
   return true;
@@ -220,7 +218,7 @@ double Deflection(const NearnessDiagram& diagram, int target, double robot_radiu
   double weights = 0.0;
   for (int i = 0; i < diagram.count; ++i) {
     const double weight = Limit(
-        (diagram.safety + robot_radius - diagram.distance[Index(i)]) / diagram.safety, 0.0, 1.0);
+        (diagram.safety + robot_radius - diagram.distance[AsIndex(i)]) / diagram.safety, 0.0, 1.0);
     if (weight <= 0.0) continue;
     const int away = diagram.Between(target, i + diagram.count / 2);
     sum += weight * weight * weight * away;

@@ -15,9 +15,7 @@ constexpr double kNoSpeed = kPi / 3.0;  // rad off its heading: it turns on the 
 constexpr double kReach = 3.0;
 // An opening as wide as this or wider is a wide one: its edges count, half of this from either
 // side (Ulrich and Borenstein's s_max).
-constexpr double kWide = Radians(80.0);
-
-double ArcSine(double x) { return Atan2(x, std::sqrt(1.0 - x * x)); }
+constexpr double kWideOpening = Radians(80.0);
 
 double Between(double at_0, double at_1, double speed) {
   return at_0 + (at_1 - at_0) * std::clamp(speed, 0.0, 1.0);
@@ -184,11 +182,11 @@ void Vfh::FindCandidates(double target) {
     const double left = (end - 1) * width;
     // As wide as its sectors are; a lone one has a width, too.
     const double open = left - right + width;
-    if (open < kWide) {
+    if (open < kWideOpening) {
       candidates_.push_back({NormalizeAngle((right + left) / 2.0), true});
     } else {
-      candidates_.push_back({NormalizeAngle(right + kWide / 2.0), false});
-      candidates_.push_back({NormalizeAngle(left - kWide / 2.0), false});
+      candidates_.push_back({NormalizeAngle(right + kWideOpening / 2.0), false});
+      candidates_.push_back({NormalizeAngle(left - kWideOpening / 2.0), false});
       double inside = std::fmod(target - right, 2.0 * kPi);
       if (inside < 0.0) inside += 2.0 * kPi;
       if (inside <= left - right) candidates_.push_back({target, false});

@@ -15,18 +15,14 @@
 #include "base/euler.h"
 #include "base/rotation.h"
 #include "scene/asset_world.h"
+#include "scene/limits.h"
 #include "scene/mesh.h"
 
 namespace ccmorse::scene {
 namespace {
 
-constexpr double kFarthest = 1000.0;  // m, as in world_file.cpp
-constexpr int kLastId = 1'000'000;    // likewise
-constexpr int kSlices = 12;           // of a robot's hull
+constexpr int kSlices = 12;  // of a robot's hull
 constexpr std::size_t kHullCorners = 32;
-constexpr std::size_t kFootprintCorners = 16;  // kinematics.h
-
-double Length(const Vec3& v) { return std::sqrt(Dot(v, v)); }
 
 // The rotation in an affine map, without its scale; none where it has no extent along an axis.
 Rotation RotationIn(const assets::Affine& map) {

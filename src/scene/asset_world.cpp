@@ -11,14 +11,13 @@
 
 #include "assets/load.h"
 #include "base/error.h"
+#include "scene/limits.h"
 
 namespace ccmorse::scene {
 namespace {
 
-constexpr double kFarthest = 1000.0;  // m, as in world_file.cpp
-constexpr int kLastId = 1'000'000;    // likewise
-constexpr double kMargin = 0.5;       // m of floor around what stands on it
-constexpr double kClear = 0.05;       // what is less opaque is not drawn
+constexpr double kMargin = 0.5;  // m of floor around what stands on it
+constexpr double kClear = 0.05;  // what is less opaque is not drawn
 
 // Collects triangles with their colours; vertices that no triangle has are left behind.
 class MeshMaker {

@@ -8,14 +8,14 @@
 #include <utility>
 
 #include "base/nearest_name.h"
+#include "scene/limits.h"
 #include "scene/world_file.h"
 
 namespace ccmorse::scene {
 namespace {
 
-constexpr double kLongest = 1e9;      // s
-constexpr double kFarthest = 1000.0;  // m
-constexpr std::size_t kMostCorners = 64;
+constexpr double kLongest = 1e9;  // s
+constexpr std::size_t kAreaCorners = 64;
 
 std::string DynamicIds(const World& world) {
   std::string ids;
@@ -100,9 +100,9 @@ std::vector<Vec2> ReadRegion(const Field& field) {
     if (parts.size() != 2) item.FailHere("must be a corner [x, y], m");
     corners.push_back({parts[0].Number(within), parts[1].Number(within)});
   }
-  if (corners.size() < 3 || corners.size() > kMostCorners) {
+  if (corners.size() < 3 || corners.size() > kAreaCorners) {
     field.FailHere(fmt::format("must be [x_low, y_low, x_high, y_high] or 3 to {} corners [x, y]",
-                               kMostCorners));
+                               kAreaCorners));
   }
   return corners;
 }

@@ -18,6 +18,7 @@
 #include "scene/asset_props.h"
 #include "scene/asset_world.h"
 #include "scene/field.h"
+#include "scene/limits.h"
 #include "scene/mesh.h"
 #include "scene/obstacle_rules.h"
 #include "scene/robots.h"
@@ -33,14 +34,12 @@ constexpr const char* kDefaultRobots = "[{}]";
 // In the open hall of SyRoTek's arena, a start that its users chose, too (specs: syrotek.md B);
 // free of every box, whichever are up.
 constexpr Pose2 kDefaultPose{1.20, 2.00, Radians(150.0)};
-constexpr double kFarthest = 1000.0;  // m; more is a mistake in the unit
-constexpr double kFastest = 100.0;    // m/s or rad/s, likewise
+constexpr double kFastest = 100.0;  // m/s or rad/s, likewise
 constexpr int kMostSamples = 10000;
 constexpr int kMostLayers = 128;
 constexpr int kMostBeams = 100000;  // of all layers
 constexpr std::size_t kMostMounts = 1000;
 constexpr std::size_t kMostHullCorners = 64;
-constexpr std::size_t kMostCorners = 16;  // of a footprint: what the simulator moves at once
 constexpr std::size_t kMostWheels = 16;
 constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max();
 
@@ -508,7 +507,7 @@ BodyDef ReadBody(const Field& field) {
   const bool has_footprint = reader.Has("footprint");
   if (reader.Has("model")) ReadModel(reader.Require("model"), has_footprint, body);
   if (has_footprint || body.footprint.empty()) {
-    body.footprint = ReadOutline(reader.Require("footprint"), kMostCorners);
+    body.footprint = ReadOutline(reader.Require("footprint"), kFootprintCorners);
   }
   if (reader.Has("shape")) {
     for (Mesh& mesh : ReadShape(reader.Require("shape"))) body.shape.push_back(std::move(mesh));

@@ -16,7 +16,7 @@ namespace {
 constexpr double kSteepest = 0.642787609686539;  // cosine of 50 degrees
 constexpr double kRise = 1.1917535925942100;     // its tangent
 constexpr double kSeam = 1e-9;                   // share of a triangle by which neighbours overlap
-constexpr double kMostCells = 512;               // along each side of the grid
+constexpr double kMostGroundCells = 512;         // along each side of the grid
 constexpr double kMarch = 0.05;                  // m from one look at the ground to the next
 constexpr double kLevel = 0.03;  // m by which ground may differ from where a march ends
 constexpr double kWheels = 0.8;  // of the footprint's extent: where the wheels are
@@ -102,7 +102,7 @@ Ground::Ground(const scene::World& world) {
   const double size = std::max(high.x - low.x, high.y - low.y);
   // About two triangles a cell, and none smaller than a robot's wheel.
   const double count = std::sqrt(static_cast<double>(triangles_.size()) / 2.0);
-  cell_ = std::max({size / std::clamp(count, 1.0, kMostCells), 0.1, size / kMostCells});
+  cell_ = std::max({size / std::clamp(count, 1.0, kMostGroundCells), 0.1, size / kMostGroundCells});
   columns_ = static_cast<std::size_t>((high.x - low.x) / cell_) + 1;
   rows_ = static_cast<std::size_t>((high.y - low.y) / cell_) + 1;
   const auto each_cell = [this](const Triangle& triangle, const auto& use) {

@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "base/pose.h"
+
 namespace ccmorse::sim {
 
 /// A running 64-bit hash of simulated state: not cryptographic, but any changed bit changes it.
@@ -26,6 +28,11 @@ class StateHash {
     value_ ^= value_ >> 32;
   }
   void Add(double number) { Add(std::bit_cast<std::uint64_t>(number)); }
+  void Add(const Vec3& v) {
+    Add(v.x);
+    Add(v.y);
+    Add(v.z);
+  }
   /// In four independent lanes, as a chain of multiplications would take longer than the scan.
   void Add(std::span<const double> numbers) {
     std::array<StateHash, 4> lanes;

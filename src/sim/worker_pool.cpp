@@ -7,7 +7,7 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr std::uint32_t kStop = 1;
+constexpr std::uint32_t kStopBit = 1;
 constexpr std::uint32_t kRound = 2;
 // A round of a small fleet takes less time than it takes the system to wake a thread, so threads
 // look for a while (some tens of microseconds) before they sleep.
@@ -39,7 +39,7 @@ WorkerPool::WorkerPool(int threads) {
 }
 
 WorkerPool::~WorkerPool() {
-  round_.fetch_or(kStop, std::memory_order_release);
+  round_.fetch_or(kStopBit, std::memory_order_release);
   round_.notify_all();
   for (std::thread& worker : workers_) worker.join();
 }
@@ -61,7 +61,7 @@ void WorkerPool::Serve(int part) {
   std::uint32_t round = 0;
   for (;;) {
     round = WaitForChange(round_, round);
-    if ((round & kStop) != 0) return;
+    if ((round & kStopBit) != 0) return;
     task_.call(task_.object, part);
     if (working_.fetch_sub(1, std::memory_order_acq_rel) == 1) working_.notify_one();
   }

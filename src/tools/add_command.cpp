@@ -16,6 +16,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "scene/field.h"
+#include "tools/child_process.h"
 #include "tools/command_line.h"
 #include "tools/environments.h"
 #include "tools/project_files.h"
@@ -26,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct AddArguments {
   std::string name;
   std::string environment;
   std::optional<std::string> description;
@@ -80,7 +81,7 @@ std::string TextOf(const fs::path& file) {
 // The folder that holds ccmorse/plugin.h, as it is here.
 std::string FindPluginInclude() {
   std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path program = OwnProgram();
   for (const fs::path& folder :
        {program.parent_path() / "../include", fs::path(CCMORSE_SOURCE_INCLUDE)}) {
     if (fs::exists(folder / "ccmorse/plugin.h", ignored)) {
@@ -90,7 +91,7 @@ std::string FindPluginInclude() {
   return "/usr/include";
 }
 
-int AddComponent(ComponentKind kind, const Arguments& arguments, const std::string& program) {
+int AddComponent(ComponentKind kind, const AddArguments& arguments, const std::string& program) {
   const std::string kind_name(KindName(kind));
   const std::string& name = arguments.name;
   const Environments environments;
@@ -199,7 +200,7 @@ void AddAddCommand(CommandLine& line) {
   for (const ComponentKind kind :
        {ComponentKind::kRobot, ComponentKind::kSensor, ComponentKind::kActuator}) {
     const std::string kind_name(KindName(kind));
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<AddArguments>();
     CLI::App* const part = command.add_subcommand(kind_name, "add a " + kind_name);
     if (kind == ComponentKind::kActuator) part->description("add an actuator");
     part->add_option("name", arguments->name, "of the new " + kind_name)

@@ -22,6 +22,7 @@
 #include "tools/batch_results.h"
 #include "tools/batch_run.h"
 #include "tools/batch_slurm.h"
+#include "tools/child_process.h"
 
 namespace ccmorse::tools {
 namespace {
@@ -161,9 +162,7 @@ class Loop {
  public:
   Loop(const BatchArguments& arguments, const Places& places, ResultsFile& results)
       : places_(places), results_(results) {
-    std::error_code failed;
-    options_.simulator = fs::read_symlink("/proc/self/exe", failed).string();
-    if (failed) throw Error("cannot find this program's own file: " + failed.message());
+    options_.simulator = OwnProgram().string();
     options_.start = places.manifest.parent_path().string();
     options_.longest_log = static_cast<std::size_t>(arguments.log_kib) * 1024;
     options_.timing = arguments.timing;
@@ -304,7 +303,7 @@ int SubmitJobs(const BatchArguments& arguments, const Places& places,
                const std::vector<BatchJob>& jobs) {
   SlurmArray array;
   array.name = "ccmorse-batch";
-  array.ccmorse = fs::read_symlink("/proc/self/exe").string();
+  array.ccmorse = OwnProgram().string();
   array.manifest = places.manifest.string();
   array.out = places.out.string();
   array.folder = places.slurm.string();

@@ -24,7 +24,7 @@ namespace {
 using Figures = Json;
 
 Figures RunBenchmark(std::vector<std::string> words) {
-  words.insert(words.begin(), {std::filesystem::read_symlink("/proc/self/exe").string(), "bench"});
+  words.insert(words.begin(), {OwnProgram().string(), "bench"});
   words.emplace_back("--json");
   const FinishedProcess run = RunToEnd(words);
   if (!run.status.ok()) return Json::Object{};

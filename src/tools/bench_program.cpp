@@ -10,13 +10,12 @@
 #include <string>
 
 #include "base/error.h"
+#include "tools/child_process.h"
 
 namespace ccmorse::tools {
 
 void ExecuteBench(const std::string& name, const BenchProgramArguments& arguments) {
-  std::error_code failed;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failed);
-  if (failed) throw Error("cannot find out where ccmorse lies: " + failed.message());
+  const std::filesystem::path self = OwnProgram();
   const std::string program = (self.parent_path() / ("ccmorse-bench-" + name)).string();
   const std::string seconds = fmt::format("{}", arguments.seconds);
   std::fflush(stdout);

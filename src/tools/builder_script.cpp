@@ -216,7 +216,7 @@ scene::ImportedScenario ImportScene(const std::string& name,
 
 std::string FindPythonFolder() {
   std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path program = OwnProgram();
   const std::array<fs::path, 3> folders = {program.parent_path() / "../share/ccmorse/python",
                                            CCMORSE_SOURCE_PYTHON, CCMORSE_INSTALL_PYTHON};
   std::string looked;

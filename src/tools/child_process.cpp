@@ -269,4 +269,11 @@ std::string FindInPath(const std::string& program) {
   return "";
 }
 
+std::filesystem::path OwnProgram() {
+  std::error_code failed;
+  const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", failed);
+  if (failed) throw Error("cannot find this program's own file: " + failed.message());
+  return own;
+}
+
 }  // namespace ccmorse::tools

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -78,5 +79,8 @@ struct FinishedProcess {
 /// Runs a command (path first) to its end, however long that takes. Throws Error when it cannot be
 /// started.
 FinishedProcess RunToEnd(const std::vector<std::string>& command);
+
+/// The file of this program. Throws Error where the system does not tell.
+std::filesystem::path OwnProgram();
 
 }  // namespace ccmorse::tools

@@ -20,12 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct CreateArguments {
   std::string place;
   bool force = false;
 };
 
-int Create(const Arguments& arguments, const std::string& program) {
+int Create(const CreateArguments& arguments, const std::string& program) {
   // "x/" is x.
   fs::path place = fs::absolute(arguments.place).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();
@@ -78,7 +78,7 @@ int Create(const Arguments& arguments, const std::string& program) {
 }  // namespace
 
 void AddCreateCommand(CommandLine& line) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CreateArguments>();
   CLI::App& command =
       line.Add("create", "make a new simulation environment, with a robot in a playground",
                [arguments, program = line.program()] { return Create(*arguments, program); });

@@ -14,12 +14,12 @@
 namespace ccmorse::tools {
 namespace {
 
-struct Arguments {
+struct EditArguments {
   std::vector<std::string> words;
   std::string base;
 };
 
-int Edit(const Arguments& arguments, const std::string& program) {
+int Edit(const EditArguments& arguments, const std::string& program) {
   const SceneChoice choice = ChooseScene(arguments.words, Environments());
   fmt::print(stderr,
              "ccmorse: there is no editor, as scenes are text. Instead:\n"
@@ -37,7 +37,7 @@ int Edit(const Arguments& arguments, const std::string& program) {
 }  // namespace
 
 void AddEditCommand(CommandLine& line) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<EditArguments>();
   CLI::App& command =
       line.Add("edit", "say how to edit a scene: MORSE opened Blender for it",
                [arguments, program = line.program()] { return Edit(*arguments, program); });

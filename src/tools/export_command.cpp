@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct ExportArguments {
   std::string what;
   std::string out;
   std::vector<std::string> without;
@@ -167,7 +167,7 @@ void LeaveOut(const std::vector<std::string>& without, const fs::path& root,
   }
 }
 
-int Export(const Arguments& arguments, const std::string& program) {
+int Export(const ExportArguments& arguments, const std::string& program) {
   const Environments environments;
   const auto environment = environments.Find(arguments.what);
   std::error_code failed;
@@ -240,7 +240,7 @@ int Export(const Arguments& arguments, const std::string& program) {
 }  // namespace
 
 void AddExportCommand(CommandLine& line) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ExportArguments>();
   CLI::App& command =
       line.Add("export", "pack a project with all it needs, for any machine with ccmorse",
                [arguments, program = line.program()] { return Export(*arguments, program); });

@@ -58,13 +58,6 @@ void WriteText(const std::string& path, const std::string& text) {
   }
 }
 
-std::string OwnFile() {
-  std::error_code failed;
-  const std::string own = fs::read_symlink("/proc/self/exe", failed).string();
-  if (failed) throw Error("cannot find this program's own file: " + failed.message());
-  return own;
-}
-
 // A folder of our own that goes with the object, whatever a submission has made of it.
 class WorkFolder {
  public:
@@ -116,7 +109,7 @@ std::vector<grade::RunReport> RunAll(const GradeArguments& arguments, const grad
     while (next < seeds && running.size() < at_once) {
       const auto seed = static_cast<std::uint64_t>(arguments.first_seed) + next;
       GradeRun::Options options;
-      options.simulator = OwnFile();
+      options.simulator = OwnProgram().string();
       options.folder = fmt::format("{}/run-{}", folder, seed);
       options.record =
           kept.empty() ? options.folder + "/run.mcap" : fmt::format("{}/world-{}.mcap", kept, seed);
@@ -312,7 +305,7 @@ int GradeClass(const GradeArguments& arguments) {
       run.job = todo[next++];
       run.folder = out + "/" + run.job->name;
       ChildProcess::Options options;
-      options.command = {OwnFile(), "grade", course.task, run.job->program_file};
+      options.command = {OwnProgram().string(), "grade", course.task, run.job->program_file};
       options.command.insert(options.command.end(), run.job->args.begin(), run.job->args.end());
       options.command.insert(
           options.command.end(),

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct ImportArguments {
   std::string path;
   std::string name;
   std::string to;
@@ -30,7 +30,7 @@ struct Arguments {
 };
 
 // The name is free, or the user wants to have it so.
-void RequireFree(const std::string& name, const fs::path& folder, const Arguments& arguments,
+void RequireFree(const std::string& name, const fs::path& folder, const ImportArguments& arguments,
                  const Environments& environments, const std::string& program) {
   RequireEnvironmentName(name, fmt::format("{} import {} NAME", program, arguments.path));
   const auto old = environments.Find(name);
@@ -61,7 +61,7 @@ void Register(const std::string& name, const fs::path& folder, Environments& env
              name.find(' ') == std::string::npos ? name : "'" + name + "'");
 }
 
-int ImportFolder(const Arguments& arguments, const std::string& program) {
+int ImportFolder(const ImportArguments& arguments, const std::string& program) {
   const fs::path folder = fs::canonical(arguments.path);
   const std::string name = arguments.name.empty() ? folder.filename().string() : arguments.name;
   Environments environments;
@@ -76,7 +76,7 @@ int ImportFolder(const Arguments& arguments, const std::string& program) {
   return 0;
 }
 
-int ImportZip(const Arguments& arguments, const std::string& program) {
+int ImportZip(const ImportArguments& arguments, const std::string& program) {
   const fs::path archive = arguments.path;
   const ZipContents contents = ReadZip(archive);
   const std::string name = !arguments.name.empty() ? arguments.name
@@ -111,7 +111,7 @@ int ImportZip(const Arguments& arguments, const std::string& program) {
   return 0;
 }
 
-int Import(const Arguments& arguments, const std::string& program) {
+int Import(const ImportArguments& arguments, const std::string& program) {
   const fs::path path = arguments.path;
   std::error_code failed;
   const fs::file_status status = fs::status(path, failed);
@@ -138,7 +138,7 @@ int Import(const Arguments& arguments, const std::string& program) {
 }  // namespace
 
 void AddImportCommand(CommandLine& line) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ImportArguments>();
   CLI::App& command =
       line.Add("import", "make a project's folder, or a zip of one, an environment",
                [arguments, program = line.program()] { return Import(*arguments, program); });

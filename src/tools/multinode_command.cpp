@@ -13,12 +13,12 @@
 namespace ccmorse::tools {
 namespace {
 
-struct Arguments {
+struct MultinodeArguments {
   std::string bind = "127.0.0.1";
   int port = 65000;
 };
 
-int Serve(const Arguments& arguments) {
+int Serve(const MultinodeArguments& arguments) {
   const StopSignals signals;
   servers::MultinodeServer server(arguments.bind, arguments.port);
   const StopSignalWatch watch(signals, server.io(), [&server](int) { server.Stop(); });
@@ -31,7 +31,7 @@ int Serve(const Arguments& arguments) {
 }  // namespace
 
 void AddMultinodeServerCommand(CommandLine& line) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<MultinodeArguments>();
   CLI::App& command =
       line.Add("multinode-server", "keep the simulators together that share one scene",
                [arguments] { return Serve(*arguments); });

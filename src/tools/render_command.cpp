@@ -55,14 +55,14 @@ render::Camera CameraFrom(const RenderArguments& arguments, const sim::Simulatio
 }
 
 // Shows on a terminal how far it is, and when it will be done.
-class Progress {
+class RenderProgress {
  public:
-  explicit Progress(bool quiet) : shown_(!quiet && ::isatty(STDERR_FILENO) == 1) {}
-  ~Progress() {
+  explicit RenderProgress(bool quiet) : shown_(!quiet && ::isatty(STDERR_FILENO) == 1) {}
+  ~RenderProgress() {
     if (shown_) std::fprintf(stderr, "\r\x1b[K");
   }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  RenderProgress(const RenderProgress&) = delete;
+  RenderProgress& operator=(const RenderProgress&) = delete;
 
   void Show(double done) {
     if (!shown_) return;
@@ -116,7 +116,7 @@ int Render(const RenderArguments& arguments) {
   const auto start = WallClock::now();
   Image image;
   {
-    Progress progress(arguments.quiet);
+    RenderProgress progress(arguments.quiet);
     options.progress = [&progress](double done) { progress.Show(done); };
     image = render::RenderPicture(scene, camera, options);
   }

@@ -108,9 +108,9 @@ std::string StatusLine(const servers::Replay& replay) {
 }
 
 // Shows where the run is: in one line that changes on a terminal, a line a second elsewhere.
-class Progress {
+class ReplayProgress {
  public:
-  explicit Progress(const servers::Replay& replay) : replay_(replay) {}
+  explicit ReplayProgress(const servers::Replay& replay) : replay_(replay) {}
 
   void Show() {
     const double time = replay_.simulation().time();
@@ -194,7 +194,7 @@ int Play(servers::Replay& replay, const ReplayArguments& arguments) {
   const double half_tick = 0.5 / replay.info().scenario.time.frequency;
   const double to = std::min(arguments.to.value_or(replay.duration()), replay.duration());
   replay.Seek(arguments.from);
-  Progress progress(replay);
+  ReplayProgress progress(replay);
   progress.Show();
   const auto start = WallClock::now();
   const double first = replay.simulation().time();

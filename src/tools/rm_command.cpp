@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct RmArguments {
   std::string name;
   bool force = false;
   bool destroy = false;
@@ -61,7 +61,7 @@ std::optional<std::string> ReasonToStay(const Environment& environment,
   return std::nullopt;
 }
 
-int Remove(const Arguments& arguments) {
+int Remove(const RmArguments& arguments) {
   Environments environments;
   const auto environment = environments.Find(arguments.name);
   if (!environment) RefuseUnknown(arguments.name, environments);
@@ -105,7 +105,7 @@ int Remove(const Arguments& arguments) {
 }  // namespace
 
 void AddRmCommand(CommandLine& line) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RmArguments>();
   CLI::App& command =
       line.Add("rm", "remove an environment; of an imported one, forget the name only",
                [arguments] { return Remove(*arguments); });

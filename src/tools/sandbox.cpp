@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "tools/child_process.h"
 
 namespace ccmorse::tools {
 namespace {
@@ -73,14 +74,6 @@ void Add(std::vector<std::string>& words, std::initializer_list<std::string> mor
   words.insert(words.end(), more);
 }
 
-// Where parts of the shared libraries of this program are that do not come from the system.
-std::string OwnFile() {
-  std::error_code failed;
-  const std::string own = fs::read_symlink("/proc/self/exe", failed).string();
-  if (failed) throw Error("cannot find this program's own file: " + failed.message());
-  return own;
-}
-
 }  // namespace
 
 void RequireSandbox() {
@@ -104,7 +97,7 @@ Sandbox::Sandbox(const SandboxOptions& options) {
   }
   channel_ = ends[0];
   std::vector<std::string> words = Base();
-  Add(words, {"--ro-bind", OwnFile(), kInside});
+  Add(words, {"--ro-bind", OwnProgram().string(), kInside});
   for (const auto& [ours, within] : options.read_only) Add(words, {"--ro-bind", ours, within});
   for (const auto& [ours, within] : options.writable) Add(words, {"--bind", ours, within});
   Add(words, {"--setenv", "PATH", "/usr/local/bin:/usr/bin:/bin", "--setenv", "HOME", "/tmp",

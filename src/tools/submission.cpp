@@ -49,10 +49,7 @@ std::vector<fs::path> Entries(const fs::path& folder) {
   return entries;
 }
 
-fs::path OwnFolder() {
-  std::error_code failed;
-  return fs::read_symlink("/proc/self/exe", failed).parent_path();
-}
+fs::path OwnFolder() { return OwnProgram().parent_path(); }
 
 std::vector<fs::path> CourseFolders() {
   std::vector<fs::path> folders;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -8,6 +9,9 @@
 #include <string_view>
 
 namespace ccmorse::wire {
+
+/// Bytes of one message between nodes; who sends more is let go.
+inline constexpr std::size_t kLongestNodeLine = std::size_t{16} << 20;
 
 /// One robot of a scene that several simulators share (specs: morse.md A.7).
 struct NodeRobot {

@@ -114,13 +114,13 @@ TEST_F(L303, LaserHasAllOfPlayersMethods) {
 
 TEST_F(L304, WindowDrawsWithThePen) {
   WindowProxy& window = WindowProxy::GetInstance(&client, 10, 10);
-  using uchar = unsigned char;
+  using Level = unsigned char;
   server.ClearLines();
   window.SetPixel(1, 2, 1, 2, 3);
   window.SetPixel(1, 2, 1, 2, 3, 255);
   window.SetPixel(1, 2, 1, 2, 3, 0.5);
-  window.SetPixel(1, 2, uchar{1}, uchar{2}, uchar{3});
-  window.SetPixel(1, 2, uchar{1}, uchar{2}, uchar{3}, uchar{0});
+  window.SetPixel(1, 2, Level{1}, Level{2}, Level{3});
+  window.SetPixel(1, 2, Level{1}, Level{2}, Level{3}, Level{0});
   window.SetPixel(1, 2, 0.0, 0.0, 1.0);
   window.SetPixel(1, 2, 0.0, 0.0, 1.0, 0.5);
   window.SetPixel(1, 2, "#34AAFF");
@@ -130,8 +130,8 @@ TEST_F(L304, WindowDrawsWithThePen) {
   window.SetLine(0, 0, 1, 1, 0, 255, 0);
   window.SetLine(0, 0, 1, 1, 0, 255, 0, 255);
   window.SetLine(0, 0, 1, 1, 0, 255, 0, 0.5);
-  window.SetLine(0, 0, 1, 1, uchar{1}, uchar{2}, uchar{3});
-  window.SetLine(0, 0, 1, 1, uchar{1}, uchar{2}, uchar{3}, uchar{0});
+  window.SetLine(0, 0, 1, 1, Level{1}, Level{2}, Level{3});
+  window.SetLine(0, 0, 1, 1, Level{1}, Level{2}, Level{3}, Level{0});
   window.SetLine(0, 0, 1, 1, 0.0, 0.0, 1.0);
   window.SetLine(0, 0, 1, 1, 0.0, 0.0, 1.0, 0.5);
   window.SetLine(0, 0, 1, 1, "#34AAFF");

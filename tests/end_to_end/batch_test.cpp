@@ -21,7 +21,6 @@
 namespace ccmorse::testing {
 namespace {
 
-const std::string kCcmorse = BuiltProgram("ccmorse");
 const std::string kIntro = BuiltProgram("intro");
 
 std::vector<Json> LinesOf(const std::string& text) {

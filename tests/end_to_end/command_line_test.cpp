@@ -17,8 +17,6 @@
 namespace ccmorse::testing {
 namespace {
 
-const std::string kCcmorse = BuiltProgram("ccmorse");
-
 Finished RunScenario(const std::string& scenario) {
   return RunToEnd({kCcmorse, "run", scenario, "--pace", "max", "--for", "0.1", "--port", "0",
                    "--stream-port", "0"});

@@ -26,7 +26,7 @@ namespace {
 
 const std::string kCourses = CCMORSE_SOURCE_DIR "/courses/";
 
-struct Outcome {
+struct TaskOutcome {
   Json report;
   std::map<std::string, std::vector<Vec2>> ways;  // robot -> where it was, 10 times a second
   std::vector<std::string> answers;               // the arguments of all submissions
@@ -43,7 +43,7 @@ struct Outcome {
   }
 };
 
-Outcome Drive(const std::string& program, const std::string& scenario, double seconds) {
+TaskOutcome Drive(const std::string& program, const std::string& scenario, double seconds) {
   const TemporaryFolder folder;
   const std::string report = folder.path() + "/report.json";
   const std::string record = folder.path() + "/run.mcap";
@@ -56,7 +56,7 @@ Outcome Drive(const std::string& program, const std::string& scenario, double se
   EXPECT_EQ(driven.status, 0) << driven.output;
   simulator.process().Signal(2);
   EXPECT_EQ(simulator.process().Wait(), 0) << simulator.process().output();
-  Outcome outcome;
+  TaskOutcome outcome;
   outcome.report = Json::Parse(ReadFile(report));
   outcome.canvas = ReadPng(folder.path() + "/canvas.png");
   for (const RecordedMessage& message : ReadMessages(record)) {
@@ -144,7 +144,7 @@ TEST_P(T05, FiveMinutesWithoutContactAndMostOfTheFloorVisited) {
   double way = 0.0;
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     const TemporaryFolder folder;
-    const Outcome outcome = Drive(GetParam(), RandomStart(folder.path(), seed), 300.0);
+    const TaskOutcome outcome = Drive(GetParam(), RandomStart(folder.path(), seed), 300.0);
     EXPECT_EQ(outcome.Contacts(), 0) << "seed " << seed;
     EXPECT_GT(outcome.report.Find("simulated_s")->AsDouble(), 299.9);
     const double coverage = Coverage(outcome.ways.at("s1r"));
@@ -159,15 +159,15 @@ TEST_P(T05, FiveMinutesWithoutContactAndMostOfTheFloorVisited) {
 
 // Figure 4.8: the green line, and the robot's position.
 TEST_P(T06, CanvasShowsTheWayInGreenAndThePositionInMagenta) {
-  const Outcome outcome = Drive(GetParam(), kCourses + "par/intro/scenario.json", 60.0);
+  const TaskOutcome outcome = Drive(GetParam(), kCourses + "par/intro/scenario.json", 60.0);
   EXPECT_EQ(outcome.Contacts(), 0);
   EXPECT_GT(Count(outcome.canvas, kGreen), 300);
   EXPECT_EQ(Count(outcome.canvas, kMagenta), 1);
 }
 
-const auto kIntro = ::testing::Values("intro-wall-following", "intro-braitenberg");
-INSTANTIATE_TEST_SUITE_P(Solutions, T05, kIntro);
-INSTANTIATE_TEST_SUITE_P(Solutions, T06, kIntro);
+const auto kIntroSolutions = ::testing::Values("intro-wall-following", "intro-braitenberg");
+INSTANTIATE_TEST_SUITE_P(Solutions, T05, kIntroSolutions);
+INSTANTIATE_TEST_SUITE_P(Solutions, T06, kIntroSolutions);
 
 // T04: the task's scenario is a file that the builder makes and `ccmorse run` takes as it is.
 TEST(T04, EveryTasksScenarioLoads) {
@@ -208,7 +208,7 @@ class T01 : public ::testing::TestWithParam<Template> {};
 
 TEST_P(T01, TemplateStartsAndTouchesNothing) {
   const std::string scenario = kCourses + GetParam().task + "/scenario.json";
-  const Outcome outcome = Drive(GetParam().program, scenario, 10.0);
+  const TaskOutcome outcome = Drive(GetParam().program, scenario, 10.0);
   for (const auto& [robot, way] : outcome.ways) {
     EXPECT_EQ(outcome.Contacts(robot), 0) << robot;
     EXPECT_LE(outcome.Distance(robot), GetParam().farthest) << robot;
@@ -246,7 +246,7 @@ double FromHallsWalls(const Vec2& at) {
 }
 
 TEST(CourseTasks, WallFollowingKeepsItsDistanceAllTheWayRound) {
-  const Outcome outcome = Drive("wall-following-pd", Scenario("wall_following"), 60.0);
+  const TaskOutcome outcome = Drive("wall-following-pd", Scenario("wall_following"), 60.0);
   EXPECT_EQ(outcome.Contacts(), 0);
   EXPECT_GT(outcome.Distance(), 9.0);
   std::vector<double> errors;
@@ -261,7 +261,7 @@ TEST(CourseTasks, WallFollowingKeepsItsDistanceAllTheWayRound) {
 double Line(const Vec2& at) { return at.x < 1.4 ? 2.1 : 2.3; }
 
 TEST(CourseTasks, PidBringsTheWornRobotToBothLines) {
-  const Outcome outcome = Drive("pid-tuned", Scenario("pid"), 0.0);
+  const TaskOutcome outcome = Drive("pid-tuned", Scenario("pid"), 0.0);
   EXPECT_EQ(outcome.Contacts(), 0);
   std::vector<double> late;
   double beyond = 0.0;
@@ -275,7 +275,7 @@ TEST(CourseTasks, PidBringsTheWornRobotToBothLines) {
 }
 
 TEST(CourseTasks, PidsTemplateLeavesTheLine) {
-  const Outcome outcome = Drive("pid-template", Scenario("pid"), 8.0);
+  const TaskOutcome outcome = Drive("pid-template", Scenario("pid"), 8.0);
   EXPECT_LT(outcome.ways.at("s1r").back().y, 1.95);
 }
 
@@ -286,7 +286,7 @@ TEST(CourseTasks, DeadReckoningKnowsWhereItIsAfterTwoRounds) {
     text.insert(text.find('{') + 1, std::string("\"seed\": ") + seed + ",");
     const std::string scenario = folder.path() + "/scene.json";
     std::ofstream(scenario) << text;
-    const Outcome outcome = Drive("dead-reckoning-calibrated", scenario, 0.0);
+    const TaskOutcome outcome = Drive("dead-reckoning-calibrated", scenario, 0.0);
     EXPECT_EQ(outcome.Contacts(), 0);
     EXPECT_GT(outcome.Distance(), 8.5);
     ASSERT_EQ(outcome.answers.size(), 1u);
@@ -301,7 +301,7 @@ TEST(CourseTasks, DeadReckoningKnowsWhereItIsAfterTwoRounds) {
 }
 
 TEST(CourseTasks, TrajectoryIsFollowedWithinTwoCentimetres) {
-  const Outcome outcome = Drive("trajectory-kanayama", Scenario("trajectory"), 0.0);
+  const TaskOutcome outcome = Drive("trajectory-kanayama", Scenario("trajectory"), 0.0);
   EXPECT_EQ(outcome.Contacts(), 0);
   const std::vector<Vec2>& way = outcome.ways.at("s1r");
   ASSERT_GT(way.size(), 590u);
@@ -317,7 +317,7 @@ TEST(CourseTasks, TrajectoryIsFollowedWithinTwoCentimetres) {
 }
 
 TEST(CourseTasks, TwoRobotsChangePlacesAndKeepClear) {
-  const Outcome outcome = Drive("two-robots-keep-right", Scenario("two_robots"), 0.0);
+  const TaskOutcome outcome = Drive("two-robots-keep-right", Scenario("two_robots"), 0.0);
   double nearest = 10.0;
   const std::vector<Vec2>& one = outcome.ways.at("s1r_1");
   const std::vector<Vec2>& other = outcome.ways.at("s1r_2");

@@ -24,14 +24,14 @@ constexpr int kHeight = kFloorHeight;
 const std::string kScenario =
     std::string(CCMORSE_SOURCE_DIR) + "/courses/par/exploration/scenario.json";
 
-struct Outcome {
+struct Explored {
   Json report;
   std::string map;  // kWidth x kHeight characters, row by row from the bottom
   Image canvas;
   std::string output;
 };
 
-Outcome Explore(const std::string& program, const std::string& seconds) {
+Explored Explore(const std::string& program, const std::string& seconds) {
   const TemporaryFolder folder;
   const std::string report = folder.path() + "/report.json";
   const std::string map = folder.path() + "/map.txt";
@@ -57,7 +57,7 @@ class T13 : public ::testing::TestWithParam<const char*> {};
 class T14 : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(T12, MapIsRightAndWholeWithoutContact) {
-  const Outcome outcome = Explore(GetParam(), "400");
+  const Explored outcome = Explore(GetParam(), "400");
   const Json& robot = *outcome.report.Find("robots")->Find("s1r");
   EXPECT_EQ(robot.Find("contacts")->AsInt(), 0);
   EXPECT_LT(outcome.report.Find("simulated_s")->AsDouble(), 400.5);
@@ -86,8 +86,8 @@ TEST_P(T12, MapIsRightAndWholeWithoutContact) {
 
 // One thread gathers, the other plans; in lock-step, whichever is faster, the run is the same.
 TEST_P(T13, TwoThreadsComeToTheSameRunEveryTime) {
-  const Outcome first = Explore(GetParam(), "20");
-  const Outcome second = Explore(GetParam(), "20");
+  const Explored first = Explore(GetParam(), "20");
+  const Explored second = Explore(GetParam(), "20");
   EXPECT_EQ(*first.report.Find("hash"), *second.report.Find("hash"));
   EXPECT_EQ(first.map, second.map);
 }
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Solutions, T13, kSolutions);
 INSTANTIATE_TEST_SUITE_P(Solutions, T14, kSolutions);
 
 TEST(T01, ExplorationTemplateStartsAndTheRobotStands) {
-  const Outcome outcome = Explore("explorer-template", "5");
+  const Explored outcome = Explore("explorer-template", "5");
   const Json& robot = *outcome.report.Find("robots")->Find("s1r");
   EXPECT_EQ(robot.Find("distance")->AsDouble(), 0.0);
   EXPECT_EQ(outcome.map, std::string(std::size_t{kWidth} * kHeight, '?'));

@@ -14,7 +14,7 @@
 namespace ccmorse::testing {
 namespace {
 
-struct Outcome {
+struct IntroRun {
   Json report;
   Image picture;
   std::string program;
@@ -27,7 +27,7 @@ void ExpectVerified(const std::string& record) {
   EXPECT_EQ(verify.status, 0) << verify.output;
 }
 
-Outcome RunIntro(const std::string& scenario, double seconds) {
+IntroRun RunIntro(const std::string& scenario, double seconds) {
   const TemporaryFolder folder;
   const std::string report = folder.path() + "/report.json";
   const std::string picture = folder.path() + "/picture.png";
@@ -42,7 +42,7 @@ Outcome RunIntro(const std::string& scenario, double seconds) {
 }
 
 TEST(T06, TheIntroductionProgramDrivesAroundTheArenaWithoutContact) {
-  const Outcome outcome = RunIntro("syrotek", 120);
+  const IntroRun outcome = RunIntro("syrotek", 120);
   EXPECT_EQ(outcome.status, 0) << outcome.program;
   const Json& robot = *outcome.report.Find("robots")->Find("s1r");
   EXPECT_EQ(robot.Find("contacts")->AsInt(), 0);
@@ -64,8 +64,8 @@ TEST(T06, TheReadmesPictureIsTheOneThatTheDemoMakes) {
 }
 
 TEST(Determinism, TwoRunsOverTcpAreEqualBitForBit) {
-  const Outcome first = RunIntro("course_map", 60);
-  const Outcome second = RunIntro("course_map", 60);
+  const IntroRun first = RunIntro("course_map", 60);
+  const IntroRun second = RunIntro("course_map", 60);
   EXPECT_EQ(*first.report.Find("hash"), *second.report.Find("hash"));
   EXPECT_EQ(first.picture.pixels, second.picture.pixels);
 }
@@ -91,7 +91,7 @@ TEST(Determinism, TwoProgramsInLockstepAreEqualWhenTimeWaitsForBoth) {
 }
 
 TEST(X43, TheLogHasTheListingsLines) {
-  const Outcome outcome = RunIntro("course_map", 2);
+  const IntroRun outcome = RunIntro("course_map", 2);
   const std::string number = R"(-?[0-9.]+(e-?[0-9]+)?)";
   for (const std::string& line : {"POSITION " + number + " " + number + " " + number,
                                   "SPEED " + number + " " + number + " " + number,

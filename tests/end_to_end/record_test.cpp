@@ -14,8 +14,6 @@
 namespace ccmorse::testing {
 namespace {
 
-const std::string kCcmorse = BuiltProgram("ccmorse");
-
 // Lets the introduction program drive for `seconds` and returns what the simulator printed.
 std::string RecordIntro(const std::string& record, double seconds,
                         std::vector<std::string> options = {}) {

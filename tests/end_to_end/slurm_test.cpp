@@ -125,8 +125,6 @@ class Cluster {
   bool ready_ = false;
 };
 
-const std::string kCcmorse = BuiltProgram("ccmorse");
-
 std::string Manifest() {
   return R"({"seconds": 3, "scenarios": ["syrotek", "course_map"], "seeds": [1, 2, 3],
     "programs": [")" +

@@ -15,7 +15,7 @@ namespace {
 constexpr double kResolution = 2.0 * kPi / 359.8;
 constexpr int kFirst = 90;
 
-SndOptions Options() {
+SndOptions SndDefaults() {
   SndOptions options;
   options.robot_radius = 0.1;
   options.min_gap_width = 0.2;
@@ -40,7 +40,7 @@ NearnessDiagram Diagram(const std::vector<Span>& obstacles, int beams = 181) {
     }
   }
   return MakeNearnessDiagram({(first - 180) * kResolution, kResolution, 5.0, ranges, {}},
-                             Options());
+                             SndDefaults());
 }
 
 TEST(Snd, DefaultsAreThoseOfPlayersManual) {
@@ -84,10 +84,10 @@ TEST(Snd, SafetyDistanceShrinksNearObstacles) {
 TEST(Snd, NoReturnsAndNonsenseAreFree) {
   const std::vector<double> ranges = {std::nan(""), -1.0, 7.0, 5.0, 1.0};
   const NearnessDiagram diagram =
-      MakeNearnessDiagram({-2 * kResolution, kResolution, 5.0, ranges, {}}, Options());
+      MakeNearnessDiagram({-2 * kResolution, kResolution, 5.0, ranges, {}}, SndDefaults());
   EXPECT_EQ(diagram.nearest, 1.0);
   for (int i = 178; i <= 181; ++i) EXPECT_EQ(diagram.distance[static_cast<std::size_t>(i)], 5.0);
-  SndOptions blind = Options();
+  SndOptions blind = SndDefaults();
   blind.min_range = 1.5;
   EXPECT_EQ(MakeNearnessDiagram({-2 * kResolution, kResolution, 5.0, ranges, {}}, blind).nearest,
             5.0);
@@ -95,32 +95,32 @@ TEST(Snd, NoReturnsAndNonsenseAreFree) {
 
 TEST(Snd, GapsAreJumpsOfNearness) {
   // An obstacle 1 m ahead; the ends of the narrow scan are gaps as well.
-  const auto gaps = FindGaps(Diagram({{170, 180, 1.0}}), Options());
+  const auto gaps = FindGaps(Diagram({{170, 180, 1.0}}), SndDefaults());
   const std::vector<SndGap> expected = {
       {90, 1, 5.0}, {169, 1, 1.0}, {181, -1, 1.0}, {270, -1, 5.0}};
   EXPECT_EQ(gaps, expected);
   // A jump of 0.19 m is no gap, one of 0.21 m is.
-  EXPECT_EQ(FindGaps(Diagram({{90, 180, 1.0}, {181, 270, 1.19}}), Options()).size(), 2U);
-  EXPECT_EQ(FindGaps(Diagram({{90, 180, 1.0}, {181, 270, 1.21}}), Options()).size(), 3U);
+  EXPECT_EQ(FindGaps(Diagram({{90, 180, 1.0}, {181, 270, 1.19}}), SndDefaults()).size(), 2U);
+  EXPECT_EQ(FindGaps(Diagram({{90, 180, 1.0}, {181, 270, 1.21}}), SndDefaults()).size(), 3U);
 }
 
 TEST(Snd, GapsSideBySideAreOne) {
   const auto gaps =
-      FindGaps(Diagram({{168, 168, 2.0}, {169, 180, 1.0}, {181, 181, 2.0}}), Options());
+      FindGaps(Diagram({{168, 168, 2.0}, {169, 180, 1.0}, {181, 181, 2.0}}), SndDefaults());
   const std::vector<SndGap> expected = {
       {90, 1, 5.0}, {167, 1, 2.0}, {182, -1, 2.0}, {270, -1, 5.0}};
   EXPECT_EQ(gaps, expected);
 }
 
 TEST(Snd, FullCircleHasNoForcedGaps) {
-  const auto gaps = FindGaps(Diagram({{0, 10, 1.0}, {350, 359, 1.0}}, 360), Options());
+  const auto gaps = FindGaps(Diagram({{0, 10, 1.0}, {350, 359, 1.0}}, 360), SndDefaults());
   const std::vector<SndGap> expected = {{11, -1, 1.0}, {349, 1, 1.0}};
   EXPECT_EQ(gaps, expected);
 }
 
 TEST(Snd, ValleysLieBetweenGaps) {
   const NearnessDiagram diagram = Diagram({{170, 180, 1.0}});
-  const auto valleys = FindValleys(diagram, FindGaps(diagram, Options()), 180, Options());
+  const auto valleys = FindValleys(diagram, FindGaps(diagram, SndDefaults()), 180, SndDefaults());
   ASSERT_EQ(valleys.size(), 3U);
   // Right of the obstacle, by its right corner and on to the right.
   EXPECT_EQ(valleys[0].right, 90);
@@ -138,7 +138,8 @@ TEST(Snd, ValleysLieBetweenGaps) {
 TEST(Snd, BothEdgesRiseTheNearerToTheGoalCounts) {
   const NearnessDiagram diagram = Diagram({{90, 150, 1.0}, {210, 270, 1.0}});
   const auto rising = [&](int goal) {
-    const auto valleys = FindValleys(diagram, FindGaps(diagram, Options()), goal, Options());
+    const auto valleys =
+        FindValleys(diagram, FindGaps(diagram, SndDefaults()), goal, SndDefaults());
     for (const SndValley& valley : valleys) {
       if (valley.right == 151) return valley.rising.sector;
     }
@@ -151,16 +152,17 @@ TEST(Snd, BothEdgesRiseTheNearerToTheGoalCounts) {
 TEST(Snd, GapIsSafeWithRoomBesideItsCorner) {
   // Corner at 1 m in sector 169; 9 sectors are 0.157 m there, 13 are 0.227 m; 2.2 R = 0.22 m.
   const SndGap corner{169, 1, 1.0};
-  EXPECT_FALSE(IsSafeGap(Diagram({{170, 180, 1.0}, {150, 160, 1.0}}), corner, Options()));
-  EXPECT_TRUE(IsSafeGap(Diagram({{170, 180, 1.0}, {146, 156, 1.0}}), corner, Options()));
+  EXPECT_FALSE(IsSafeGap(Diagram({{170, 180, 1.0}, {150, 160, 1.0}}), corner, SndDefaults()));
+  EXPECT_TRUE(IsSafeGap(Diagram({{170, 180, 1.0}, {146, 156, 1.0}}), corner, SndDefaults()));
   // What is on the other side does not matter.
-  EXPECT_TRUE(IsSafeGap(Diagram({{170, 180, 1.0}, {181, 190, 0.95}}), corner, Options()));
+  EXPECT_TRUE(IsSafeGap(Diagram({{170, 180, 1.0}, {181, 190, 0.95}}), corner, SndDefaults()));
 }
 
 TEST(Snd, ValleyNearestToTheGoalIsChosenFirstOfThoseAhead) {
   const NearnessDiagram diagram = Diagram({{170, 180, 1.0}});
   const auto chosen = [&](int goal) {
-    const auto valleys = FindValleys(diagram, FindGaps(diagram, Options()), goal, Options());
+    const auto valleys =
+        FindValleys(diagram, FindGaps(diagram, SndDefaults()), goal, SndDefaults());
     return ChooseValley(diagram, valleys, goal).value().rising.sector;
   };
   EXPECT_EQ(chosen(178), 181);
@@ -173,46 +175,46 @@ TEST(Snd, ValleyNearestToTheGoalIsChosenFirstOfThoseAhead) {
 
 TEST(Snd, CorridorIsAsWideAsTheRobotAndAsLongAsTheWay) {
   const NearnessDiagram diagram = Diagram({{170, 180, 1.0}});
-  EXPECT_FALSE(IsCorridorClear(diagram, 178, 3.0, Options()));
-  EXPECT_TRUE(IsCorridorClear(diagram, 178, 1.05, Options()));  // 1.05 - R < 1
+  EXPECT_FALSE(IsCorridorClear(diagram, 178, 3.0, SndDefaults()));
+  EXPECT_TRUE(IsCorridorClear(diagram, 178, 1.05, SndDefaults()));  // 1.05 - R < 1
   // The corner at sector 180: asin(0.1 / 1) is 5.7 sectors.
-  EXPECT_FALSE(IsCorridorClear(diagram, 185, 3.0, Options()));
-  EXPECT_TRUE(IsCorridorClear(diagram, 186, 3.0, Options()));
-  EXPECT_TRUE(IsCorridorClear(diagram, 0, 3.0, Options()));
+  EXPECT_FALSE(IsCorridorClear(diagram, 185, 3.0, SndDefaults()));
+  EXPECT_TRUE(IsCorridorClear(diagram, 186, 3.0, SndDefaults()));
+  EXPECT_TRUE(IsCorridorClear(diagram, 0, 3.0, SndDefaults()));
 }
 
 TEST(Snd, TargetKeepsClearOfTheCorner) {
   const NearnessDiagram diagram = Diagram({{170, 180, 1.0}});
   const SndValley left{181, 270, {181, -1, 1.0}, 1};
   // asin((D + R) / c) = asin(0.5) = 30 degrees: 30 sectors from the corner.
-  EXPECT_EQ(TargetSector(diagram, left, 178, 3.0, Options()), 211);
+  EXPECT_EQ(TargetSector(diagram, left, 178, 3.0, SndDefaults()), 211);
   // The goal itself when the way there is clear and ahead.
-  EXPECT_EQ(TargetSector(diagram, left, 200, 3.0, Options()), 200);
-  EXPECT_EQ(TargetSector(diagram, left, 178, 1.05, Options()), 178);
+  EXPECT_EQ(TargetSector(diagram, left, 200, 3.0, SndDefaults()), 200);
+  EXPECT_EQ(TargetSector(diagram, left, 178, 1.05, SndDefaults()), 178);
   // Goals beyond a quarter turn are not gone for directly.
-  EXPECT_EQ(TargetSector(diagram, left, 275, 3.0, Options()), 211);
+  EXPECT_EQ(TargetSector(diagram, left, 275, 3.0, SndDefaults()), 211);
   const SndValley right{90, 169, {169, 1, 1.0}, -1};
-  EXPECT_EQ(TargetSector(diagram, right, 172, 3.0, Options()), 139);
+  EXPECT_EQ(TargetSector(diagram, right, 172, 3.0, SndDefaults()), 139);
 }
 
 TEST(Snd, TargetIsTheMiddleOfANarrowValley) {
   // From the corner at 181 it is open up to sector 200: 19 sectors, 19 / 2 - 1 = 8.
   const NearnessDiagram diagram = Diagram({{170, 180, 1.0}, {201, 230, 0.9}});
   const SndValley valley{181, 200, {181, -1, 1.0}, 1};
-  EXPECT_EQ(TargetSector(diagram, valley, 178, 3.0, Options()), 189);
+  EXPECT_EQ(TargetSector(diagram, valley, 178, 3.0, SndDefaults()), 189);
   // Corners nearer than D + R: a quarter turn, but no more than beams / 3 = 60.
   const NearnessDiagram near = Diagram({{170, 180, 0.45}});
-  EXPECT_EQ(TargetSector(near, SndValley{181, 270, {181, -1, 0.45}, 1}, 178, 3.0, Options()),
+  EXPECT_EQ(TargetSector(near, SndValley{181, 270, {181, -1, 0.45}, 1}, 178, 3.0, SndDefaults()),
             181 + 43);  // the middle of 89 is nearer still
-  EXPECT_EQ(TargetSector(near, SndValley{181, 90, {181, -1, 0.45}, 1}, 178, 3.0, Options()),
+  EXPECT_EQ(TargetSector(near, SndValley{181, 90, {181, -1, 0.45}, 1}, 178, 3.0, SndDefaults()),
             181 + 60);
 }
 
 TEST(Snd, WithoutAValleyItGoesToTheGoalOrTurnsAround) {
   const NearnessDiagram diagram = Diagram({{90, 270, 1.0}});
-  EXPECT_EQ(TargetSector(diagram, std::nullopt, 180, 0.5, Options()), 180);
-  EXPECT_EQ(TargetSector(diagram, std::nullopt, 180, 3.0, Options()), 0);
-  EXPECT_EQ(TargetSector(Diagram({{90, 270, 0.09}}), std::nullopt, 100, 3.0, Options()), 180);
+  EXPECT_EQ(TargetSector(diagram, std::nullopt, 180, 0.5, SndDefaults()), 180);
+  EXPECT_EQ(TargetSector(diagram, std::nullopt, 180, 3.0, SndDefaults()), 0);
+  EXPECT_EQ(TargetSector(Diagram({{90, 270, 0.09}}), std::nullopt, 100, 3.0, SndDefaults()), 180);
 }
 
 TEST(Snd, ObstaclesWithinTheSafetyDistanceDeflect) {
@@ -228,7 +230,7 @@ TEST(Snd, ObstaclesWithinTheSafetyDistanceDeflect) {
 
 TEST(Snd, SpeedLaws) {
   const auto expect = [](double angle, double distance, double nearest, double speed, double turn) {
-    const Drive drive = SndSpeeds(angle, distance, nearest, Options());
+    const Drive drive = SndSpeeds(angle, distance, nearest, SndDefaults());
     EXPECT_NEAR(drive.speed, speed, 1e-12) << angle << " " << distance << " " << nearest;
     EXPECT_NEAR(drive.turn_rate, turn, 1e-12) << angle << " " << distance << " " << nearest;
   };
@@ -242,7 +244,7 @@ TEST(Snd, SpeedLaws) {
 }
 
 TEST(Snd, TurnsAtTheGoalAndStops) {
-  SndOptions options = Options();
+  SndOptions options = SndDefaults();
   options.goal_angle_tol = 0.1;
   Snd snd(options);
   const std::vector<double> ranges(181, 5.0);
@@ -269,7 +271,7 @@ TEST(Snd, TurnsAtTheGoalAndStops) {
 }
 
 TEST(Snd, StandsWithSomethingInsideItsRadius) {
-  Snd snd(Options());
+  Snd snd(SndDefaults());
   snd.SetGoal({5.0, 0.0, 0.0});
   std::vector<double> ranges(181, 5.0);
   ranges[10] = 0.09;
@@ -314,7 +316,7 @@ std::vector<Pose2> HallGoals(const Rig& rig, double margin, int count, std::uint
 
 // Goes to the goals one after the other, at most a minute each; with a planner, by its waypoints.
 // The number reached.
-int Tour(Rig& rig, const std::vector<Pose2>& goals, Wavefront* planner) {
+int DriveTour(Rig& rig, const std::vector<Pose2>& goals, Wavefront* planner) {
   Snd snd(SndOptionsForS1r());
   int reached = 0;
   for (const Pose2& goal : goals) {
@@ -356,7 +358,7 @@ TEST(Snd, HundredGoalsAmongThePillarsOfTheArena) {
   // The course's map without its three slabs, which make a pocket.
   Rig rig(Rig::World(
       R"({"obstacles": {"up": [5, 10, 19, 22, 23, 61, 69, 70, 71, 72, 73, 74, 75, 76]}})"));
-  const int reached = Tour(rig, HallGoals(rig, kMargin, 100, kSeed), nullptr);
+  const int reached = DriveTour(rig, HallGoals(rig, kMargin, 100, kSeed), nullptr);
   Report(rig, "SND alone, pillars", kSeed, reached);
   EXPECT_GE(reached, 98);
   EXPECT_EQ(rig.contacts(), 0U);
@@ -365,7 +367,7 @@ TEST(Snd, HundredGoalsAmongThePillarsOfTheArena) {
 TEST(Snd, HundredGoalsOnTheCourseMapByWaypoints) {
   Rig rig(Rig::Named("course_map"));
   Wavefront planner(MapOf(rig.simulation().world().scene(), 0.02), WavefrontOptionsForS1r());
-  const int reached = Tour(rig, HallGoals(rig, kMargin, 100, kSeed), &planner);
+  const int reached = DriveTour(rig, HallGoals(rig, kMargin, 100, kSeed), &planner);
   Report(rig, "SND and wavefront, course map", kSeed, reached);
   EXPECT_GE(reached, 98);
   EXPECT_EQ(rig.contacts(), 0U);
@@ -375,7 +377,7 @@ TEST(Snd, AloneOnTheCourseMapItTouchesNothing) {
   // Whoever keeps no map does not get out of the slabs' pocket towards a goal behind it; but it
   // must not touch them either.
   Rig rig(Rig::Named("course_map"));
-  const int reached = Tour(rig, HallGoals(rig, kMargin, 100, kSeed), nullptr);
+  const int reached = DriveTour(rig, HallGoals(rig, kMargin, 100, kSeed), nullptr);
   Report(rig, "SND alone, course map", kSeed, reached);
   EXPECT_GE(reached, 75);
   EXPECT_EQ(rig.contacts(), 0U);

@@ -10,7 +10,7 @@
 namespace ccmorse::navigation {
 namespace {
 
-VfhOptions Options() {
+VfhOptions VfhDefaults() {
   VfhOptions options;
   options.robot_radius = 0.1;
   options.cell_size = 0.1;
@@ -20,7 +20,7 @@ VfhOptions Options() {
 }
 
 TEST(Vfh, AnOccupiedCellWeighsByItsDistance) {
-  Vfh vfh(Options());
+  Vfh vfh(VfhDefaults());
   vfh.SetGoal({5.0, 0.0, 0.0});
   const std::vector<Vec2> hits = {{1.0, 0.0}, {1.01, 0.01}};  // one cell
   vfh.Step({}, hits);
@@ -35,7 +35,7 @@ TEST(Vfh, AnOccupiedCellWeighsByItsDistance) {
 }
 
 TEST(Vfh, CutoffsHaveHysteresis) {
-  VfhOptions options = Options();
+  VfhOptions options = VfhDefaults();
   options.free_space_cutoff_0ms = 1e5;
   options.obs_cutoff_0ms = 3e5;
   Vfh vfh(options);
@@ -53,7 +53,7 @@ TEST(Vfh, CutoffsHaveHysteresis) {
 }
 
 TEST(Vfh, TurningCirclesMaskWhatCannotBeTurnedTo) {
-  VfhOptions options = Options();
+  VfhOptions options = VfhDefaults();
   options.max_turnrate_0ms = 1.0;
   Vfh vfh(options);
   vfh.SetGoal({5.0, 0.0, 0.0});
@@ -79,7 +79,7 @@ TEST(Vfh, CandidatesAreMiddlesOfNarrowAndEdgesOfWideOpenings) {
     const auto [sine, cosine] = SinCos(Radians(degrees));
     hits.push_back({2.0 * cosine, 2.0 * sine});
   }
-  VfhOptions options = Options();
+  VfhOptions options = VfhDefaults();
   options.free_space_cutoff_0ms = 1.0;
   Vfh sharp(options);
   sharp.SetGoal({-5.0, 0.5, 0.0});
@@ -96,7 +96,7 @@ TEST(Vfh, CandidatesAreMiddlesOfNarrowAndEdgesOfWideOpenings) {
 }
 
 TEST(Vfh, TurnsAtTheGoalAndEscapesWhenStalled) {
-  VfhOptions options = Options();
+  VfhOptions options = VfhDefaults();
   options.escape_speed = -0.1;
   options.escape_time = 1.0;
   options.escape_max_turnrate = 0.5;
@@ -117,7 +117,7 @@ TEST(Vfh, TurnsAtTheGoalAndEscapesWhenStalled) {
 }
 
 TEST(Vfh, SpeedGrowsWithTheAcceleration) {
-  Vfh vfh(Options());
+  Vfh vfh(VfhDefaults());
   vfh.SetGoal({5.0, 0.0, 0.0});
   EXPECT_EQ(vfh.Step({{}, 0.0, 0.0, false, 0.0}, {}).speed, 0.0);
   EXPECT_NEAR(vfh.Step({{}, 0.0, 0.0, false, 0.5}, {}).speed, 0.1, 1e-12);

@@ -76,7 +76,7 @@ TEST(OccupancyGrid, RaysEndWhereTheyEnterAnOccupiedCell) {
   EXPECT_NEAR(map.CastRay({-0.3, 0.55}, 0.0, 5.0), 1.0, 1e-12);  // from outside
 }
 
-WavefrontOptions Options() {
+WavefrontOptions WavefrontDefaults() {
   WavefrontOptions options;
   options.safety_dist = 0.15;
   options.max_radius = 0.4;
@@ -90,7 +90,7 @@ TEST(Wavefront, CostsAndPathAreThoseOfBruteForceDijkstra) {
   int planned = 0;
   for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     const OccupancyGrid map = RandomMap(seed);
-    Wavefront planner(map, Options());
+    Wavefront planner(map, WavefrontDefaults());
     std::mt19937_64 random(seed + 1000);
     const auto point = [&] {
       return Pose2{Draw(random, -0.5, 1.9), Draw(random, 0.3, 2.1), Draw(random, -3.0, 3.0)};
@@ -184,7 +184,7 @@ OccupancyGrid Wall() {
 }
 
 TEST(Wavefront, ShortcutsLeaveOnlyTheCorners) {
-  WavefrontOptions options = Options();
+  WavefrontOptions options = WavefrontDefaults();
   options.dist_penalty = 0.0;
   Wavefront planner(Wall(), options);
   planner.SetGoal({1.75, 0.25, 1.0});
@@ -199,7 +199,7 @@ TEST(Wavefront, ShortcutsLeaveOnlyTheCorners) {
 TEST(Wavefront, NoWayIsSaid) {
   OccupancyGrid map = Wall();
   for (int y = 15; y < 20; ++y) map.Set({10, y}, Cell::kOccupied);
-  Wavefront planner(map, Options());
+  Wavefront planner(map, WavefrontDefaults());
   planner.SetGoal({1.75, 0.25, 0.0});
   EXPECT_FALSE(planner.Plan({0.25, 0.25, 0.0}));
   EXPECT_FALSE(planner.Step({0.25, 0.25, 0.0}, 1.0).valid);
@@ -214,14 +214,14 @@ TEST(Wavefront, NoWayIsSaid) {
 }
 
 TEST(Wavefront, AStartTooNearAnObstacleFirstGoesWhereThereIsRoom) {
-  Wavefront planner(Wall(), Options());
+  Wavefront planner(Wall(), WavefrontDefaults());
   planner.SetGoal({0.25, 1.75, 0.0});
   ASSERT_TRUE(planner.Plan({0.95, 0.25, 0.0}));
   EXPECT_GT(BruteDistance(planner.map(), planner.path().front()), 0.15);
 }
 
 TEST(Wavefront, WaypointsComeOneAfterTheOther) {
-  WavefrontOptions options = Options();
+  WavefrontOptions options = WavefrontDefaults();
   options.add_rotational_waypoints = false;
   Wavefront planner(Wall(), options);
   EXPECT_FALSE(planner.Step({0.25, 0.25, 0.0}, 0.0).valid);  // no goal
@@ -246,7 +246,7 @@ TEST(Wavefront, WaypointsComeOneAfterTheOther) {
 }
 
 TEST(Wavefront, RotationalWaypointsTurnOnTheSpot) {
-  Wavefront planner(Wall(), Options());
+  Wavefront planner(Wall(), WavefrontDefaults());
   planner.SetGoal({1.75, 0.25, 1.0});
   planner.Step({0.25, 0.25, 0.0}, 0.0);
   const Pose2 first = planner.waypoints()[0];
@@ -259,13 +259,13 @@ TEST(Wavefront, RotationalWaypointsTurnOnTheSpot) {
 }
 
 TEST(Wavefront, PlansAnewFarFromThePathAndNotTooOften) {
-  Wavefront planner(Wall(), Options());
+  Wavefront planner(Wall(), WavefrontDefaults());
   planner.SetGoal({0.25, 1.75, 1.0});
   EXPECT_TRUE(planner.Step({0.25, 0.25, 0.0}, 10.0).planned);
   EXPECT_FALSE(planner.Step({0.8, 0.9, 0.0}, 11.0).planned);   // 0.55 m off, but 1 s ago
   EXPECT_FALSE(planner.Step({0.70, 0.9, 0.0}, 13.0).planned);  // 0.45 m off
   EXPECT_TRUE(planner.Step({0.8, 0.9, 0.0}, 13.0).planned);
-  WavefrontOptions never = Options();
+  WavefrontOptions never = WavefrontDefaults();
   never.replan_min_time = -1.0;
   Wavefront stubborn(Wall(), never);
   stubborn.SetGoal({0.25, 1.75, 1.0});

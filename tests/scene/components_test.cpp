@@ -21,7 +21,7 @@ std::string Text(const std::string& components, const std::string& more = "") {
          components + "]" + more + "}]}";
 }
 
-std::string ErrorOf(const std::string& text) {
+std::string ScenarioError(const std::string& text) {
   try {
     ParseScenario(text, "scene.json");
   } catch (const Error& error) {
@@ -82,23 +82,25 @@ TEST(Components, OnesOfAnS1RStandInForItsOwn) {
 }
 
 TEST(Components, MistakesAreNamed) {
-  EXPECT_TRUE(Has(ErrorOf(Text(R"({"name": "a", "type": "Posse"})")), "did you mean 'Pose'"));
-  EXPECT_TRUE(Has(ErrorOf(Text(R"({"name": "a"})")), "type"));
-  EXPECT_TRUE(Has(ErrorOf(Text(R"({"name": "a..b", "type": "Pose"})")), "dots between them"));
-  EXPECT_TRUE(Has(ErrorOf(Text(R"({"name": "a", "type": "Pose"}, {"name": "a", "type": "Pen"})")),
-                  "is called 'a', as is another component"));
-  EXPECT_TRUE(Has(ErrorOf(Text(R"({"name": "a", "type": "Pose", "rate": 1})")), "'rate'"));
+  EXPECT_TRUE(Has(ScenarioError(Text(R"({"name": "a", "type": "Posse"})")), "did you mean 'Pose'"));
+  EXPECT_TRUE(Has(ScenarioError(Text(R"({"name": "a"})")), "type"));
+  EXPECT_TRUE(Has(ScenarioError(Text(R"({"name": "a..b", "type": "Pose"})")), "dots between them"));
   EXPECT_TRUE(
-      Has(ErrorOf(Text(R"({"name": "a", "type": "Pose", "laser": {}})")), "is for a LaserScanner"));
-  EXPECT_TRUE(Has(ErrorOf(Text(R"({"name": "a", "type": "Pen", "noise": {}})")), "is for a Pose"));
-  EXPECT_TRUE(Has(ErrorOf(Text("", R"(, "laser": {})")), "a robot without 'components'"));
+      Has(ScenarioError(Text(R"({"name": "a", "type": "Pose"}, {"name": "a", "type": "Pen"})")),
+          "is called 'a', as is another component"));
+  EXPECT_TRUE(Has(ScenarioError(Text(R"({"name": "a", "type": "Pose", "rate": 1})")), "'rate'"));
+  EXPECT_TRUE(Has(ScenarioError(Text(R"({"name": "a", "type": "Pose", "laser": {}})")),
+                  "is for a LaserScanner"));
+  EXPECT_TRUE(
+      Has(ScenarioError(Text(R"({"name": "a", "type": "Pen", "noise": {}})")), "is for a Pose"));
+  EXPECT_TRUE(Has(ScenarioError(Text("", R"(, "laser": {})")), "a robot without 'components'"));
 }
 
 TEST(World, ARobotStandsOnItsFloorWhereverThatLies) {
-  EXPECT_EQ(ErrorOf(Text("")), "");
+  EXPECT_EQ(ScenarioError(Text("")), "");
   std::string beside = Text("");
   beside.replace(beside.find("\"x\": -5"), 7, "\"x\": -21");
-  EXPECT_TRUE(Has(ErrorOf(beside), "does not stand on the floor"));
+  EXPECT_TRUE(Has(ScenarioError(beside), "does not stand on the floor"));
 }
 
 TEST(Scenario, KeepsWhatModelsItWasMadeFor) {
@@ -111,7 +113,7 @@ TEST(Scenario, KeepsWhatModelsItWasMadeFor) {
   EXPECT_EQ(scenario.props[0].position.z, 3.0);
   const std::string written = ToJson(scenario).Dump();
   EXPECT_EQ(ToJson(ParseScenario(written, "again.json")).Dump(), written);
-  EXPECT_TRUE(Has(ErrorOf(R"({"props": [{"name": "table"}]})"), "file"));
+  EXPECT_TRUE(Has(ScenarioError(R"({"props": [{"name": "table"}]})"), "file"));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string ErrorOf(const std::string& name) {
+std::string FindError(const std::string& name) {
   try {
     FindScenario(name);
   } catch (const Error& error) {
@@ -80,7 +80,7 @@ TEST(FindScenario, ListsEachOnceAndFindsAllOfThem) {
 }
 
 TEST(FindScenario, UnknownNameSaysWhatThereIsAndWhereItLooked) {
-  const std::string message = ErrorOf("sirotek");
+  const std::string message = FindError("sirotek");
   EXPECT_NE(message.find("no scenario 'sirotek'"), std::string::npos) << message;
   EXPECT_NE(message.find("did you mean 'syrotek'?"), std::string::npos) << message;
   EXPECT_NE(message.find("two_robots"), std::string::npos) << message;
@@ -99,7 +99,7 @@ TEST(FindScenario, OwnFolderComesFirst) {
   EXPECT_EQ(FindScenario("two"), own.Path("lab/two.json"));
   // A name that two folders have must be written in full.
   EXPECT_EQ(FindScenario("lab/course_map"), own.Path("lab/course_map.json"));
-  EXPECT_NE(ErrorOf("course_map").find("lab/course_map"), std::string::npos);
+  EXPECT_NE(FindError("course_map").find("lab/course_map"), std::string::npos);
 }
 
 TEST(G07, AWorldOfYourOwnNeedsNoSyrotek) {

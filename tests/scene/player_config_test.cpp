@@ -17,14 +17,14 @@ namespace {
 
 const std::string kWorlds = CCMORSE_SOURCE_DIR "/tests/worlds/";
 
-PlayerConfig Parse(const std::string& text) {
+PlayerConfig ParseConfig(const std::string& text) {
   return ParsePlayerConfig(text, "test.cfg", [](const std::string& path) -> std::string {
     throw Error("cannot read " + path);
   });
 }
 
 template <typename Call>
-std::string ErrorOf(const Call& call) {
+std::string ConfigError(const Call& call) {
   try {
     call();
   } catch (const Error& error) {
@@ -67,20 +67,24 @@ TEST(PlayerConfigC2, AddressesHaveFieldsThatMayMissFromTheLeft) {
 }
 
 TEST(PlayerConfigC2, WhatIsNoAddressIsRefused) {
-  EXPECT_NE(ErrorOf([] { ParsePlayerAddress("laser"); }).find("is no device"), std::string::npos);
-  EXPECT_NE(ErrorOf([] { ParsePlayerAddress("lasr:0"); }).find("did you mean 'laser'?"),
+  EXPECT_NE(ConfigError([] { ParsePlayerAddress("laser"); }).find("is no device"),
             std::string::npos);
-  EXPECT_NE(ErrorOf([] { ParsePlayerAddress("laser:-1"); }).find("index"), std::string::npos);
-  EXPECT_NE(ErrorOf([] { ParsePlayerAddress("70000:laser:0"); }).find("port"), std::string::npos);
-  EXPECT_NE(ErrorOf([] { ParsePlayerAddress("0:laser:0"); }).find("port"), std::string::npos);
-  EXPECT_NE(ErrorOf([] { ParsePlayerAddress("a:b:c:d:laser:0"); }).find("is no device"),
+  EXPECT_NE(ConfigError([] { ParsePlayerAddress("lasr:0"); }).find("did you mean 'laser'?"),
             std::string::npos);
-  EXPECT_EQ(ErrorOf([] { Parse("driver ( name \"x\"\nprovides [ \"lasr:0\" ] )"); }).substr(0, 11),
+  EXPECT_NE(ConfigError([] { ParsePlayerAddress("laser:-1"); }).find("index"), std::string::npos);
+  EXPECT_NE(ConfigError([] { ParsePlayerAddress("70000:laser:0"); }).find("port"),
+            std::string::npos);
+  EXPECT_NE(ConfigError([] { ParsePlayerAddress("0:laser:0"); }).find("port"), std::string::npos);
+  EXPECT_NE(ConfigError([] { ParsePlayerAddress("a:b:c:d:laser:0"); }).find("is no device"),
+            std::string::npos);
+  EXPECT_EQ(ConfigError([] {
+              ParseConfig("driver ( name \"x\"\nprovides [ \"lasr:0\" ] )");
+            }).substr(0, 11),
             "test.cfg:2:");
 }
 
 TEST(PlayerConfigC2, KeysThatAllDriversShareAreTakenOut) {
-  const PlayerConfig config = Parse(
+  const PlayerConfig config = ParseConfig(
       "driver ( name \"amcl\" plugin \"libamcl\" alwayson 1 provides [ \"localize:0\" ]\n"
       "  requires [ \"odometry:::position2d:1\" \"laser:0\" ] extra 3 )");
   ASSERT_EQ(config.drivers.size(), 1U);
@@ -93,12 +97,12 @@ TEST(PlayerConfigC2, KeysThatAllDriversShareAreTakenOut) {
   ASSERT_EQ(section.driver.options.size(), 1U);
   EXPECT_EQ(section.driver.options[0].first, "extra");
   EXPECT_EQ(section.driver.places[0], "test.cfg:2");
-  EXPECT_EQ(ErrorOf([] { Parse("\ndriver ( )"); }).substr(0, 31),
+  EXPECT_EQ(ConfigError([] { ParseConfig("\ndriver ( )"); }).substr(0, 31),
             "test.cfg:2: a driver without a ");
 }
 
 TEST(PlayerConfigC2, OptionsAreReadByTypeInMetresAndRadians) {
-  const PlayerConfig config = Parse(
+  const PlayerConfig config = ParseConfig(
       "unit_length \"cm\"\ndriver ( name \"snd\" provides [ \"position2d:1\" ] robot_radius 4\n"
       "max_turn_rate 90 goal_tol [ 50 10 ] n 7 wait yes file \"map.png\" wait no )");
   const PlayerDriver& driver = config.drivers[0].driver;
@@ -113,13 +117,13 @@ TEST(PlayerConfigC2, OptionsAreReadByTypeInMetresAndRadians) {
   EXPECT_DOUBLE_EQ((*tolerance)[0], 0.5);
   EXPECT_DOUBLE_EQ((*tolerance)[1], Radians(10.0));
   EXPECT_FALSE(driver.Tuple("none", "la").has_value());
-  EXPECT_EQ(ErrorOf([&] { static_cast<void>(driver.Number("file", 0.0)); }),
+  EXPECT_EQ(ConfigError([&] { static_cast<void>(driver.Number("file", 0.0)); }),
             "test.cfg:3: 'file' of driver 'snd' must be a number");
   EXPECT_THROW(static_cast<void>(driver.Tuple("goal_tol", "l")), Error);
 }
 
 TEST(PlayerConfigC2, OnlyDriverSectionsMatter) {
-  const PlayerConfig config = Parse("speed 3\nwindow ( )\ndriver ( name \"x\" )");
+  const PlayerConfig config = ParseConfig("speed 3\nwindow ( )\ndriver ( name \"x\" )");
   EXPECT_EQ(config.drivers.size(), 1U);
   ASSERT_EQ(config.notes.size(), 2U);
   EXPECT_EQ(config.notes[0].at.Text(), "test.cfg:2");
@@ -127,8 +131,8 @@ TEST(PlayerConfigC2, OnlyDriverSectionsMatter) {
 }
 
 TEST(PlayerConfigC2, ADeviceIsProvidedOnce) {
-  EXPECT_EQ(ErrorOf([] {
-              Parse(
+  EXPECT_EQ(ConfigError([] {
+              ParseConfig(
                   "driver ( name \"a\" provides [ \"laser:0\" ] )\n"
                   "driver ( name \"b\" provides [ \"6665:laser:0\" ] )");
             }),
@@ -188,7 +192,7 @@ TEST(PlayerConfigC2, ADeviceThatNothingServesIsNamedWithItsLine) {
 
 TEST(PlayerConfigC2, WhatTheConfigNamesMustBeThere) {
   const auto import = [](const std::string& text) {
-    return ErrorOf([&text] { ImportConfig(ParsePlayerConfig(text, kWorlds + "test.cfg")); });
+    return ConfigError([&text] { ImportConfig(ParsePlayerConfig(text, kWorlds + "test.cfg")); });
   };
   EXPECT_NE(import("driver ( name \"snd\" )").find("test.cfg:1: no driver names a world"),
             std::string::npos);
@@ -224,7 +228,7 @@ TEST(PlayerSetup, AScenarioMaySayTheSameAsJson) {
 
 TEST(PlayerSetup, WhatItSaysOfRobotsMustBeTrue) {
   const auto error = [](const std::string& devices) {
-    return ErrorOf([&devices] {
+    return ConfigError([&devices] {
       ParseScenario(R"({"robots": [{"name": "r"}], "player": {"devices": [)" + devices + "]}}",
                     "test.json");
     });

@@ -28,7 +28,7 @@ std::string ErrorInRobot(const std::string& settings) {
   return ErrorOf("{\"robots\": [{\n" + settings + "\n}]}");
 }
 
-bool Has(const std::string& message, const std::string& part) {
+bool HasText(const std::string& message, const std::string& part) {
   return message.find(part) != std::string::npos;
 }
 
@@ -42,8 +42,8 @@ TEST(S20, TwoRobotsOfOneNameAreAnErrorThatNamesBothLines) {
     ]})"),
       "scene.json:5: two robots are called 'anna', the first on line 3; give this one another "
       "'name'");
-  EXPECT_TRUE(Has(ErrorOf(R"({"robots": [{"name": "s1r_2"}, {"pose": {"x": 2.2, "y": 2.6}}]})"),
-                  "two robots are called 's1r_2'"));
+  EXPECT_TRUE(HasText(ErrorOf(R"({"robots": [{"name": "s1r_2"}, {"pose": {"x": 2.2, "y": 2.6}}]})"),
+                      "two robots are called 's1r_2'"));
 }
 
 TEST(ScenarioErrors, UnknownKeyNamesTheNearest) {
@@ -63,12 +63,12 @@ TEST(ScenarioErrors, EveryObjectIsChecked) {
   for (const char* part : {"world", "obstacles", "canvas", "camera", "time"}) {
     const std::string message =
         ErrorInLine2(fmt::format(R"("{}": {{"name": "w", "size": [1, 1], "qqq": 1}})", part));
-    EXPECT_TRUE(Has(message, "scene.json:2: unknown key ")) << message;
+    EXPECT_TRUE(HasText(message, "scene.json:2: unknown key ")) << message;
   }
   for (const char* part : {"pose", "proxies", "laser"}) {
     const std::string message =
         ErrorInRobot(fmt::format(R"("{}": {{"x": 1, "y": 2, "qqq": 1}})", part));
-    EXPECT_TRUE(Has(message, "scene.json:2: unknown key ")) << message;
+    EXPECT_TRUE(HasText(message, "scene.json:2: unknown key ")) << message;
   }
 }
 
@@ -116,8 +116,8 @@ TEST(ScenarioErrors, NumbersThatAreNone) {
               "scene.json:2: robots[0].pose.y must be a finite number");
     EXPECT_EQ(ErrorInRobot(fmt::format(R"("drivers": {{"snd": {{"a": [1, {}]}}}})", number)),
               "scene.json:2: robots[0].drivers.snd.a[1] must be a finite number");
-    EXPECT_TRUE(Has(ErrorInLine2(fmt::format(R"("seed": {})", number)),
-                    "scene.json:2: seed must be a whole number"));
+    EXPECT_TRUE(HasText(ErrorInLine2(fmt::format(R"("seed": {})", number)),
+                        "scene.json:2: seed must be a whole number"));
   }
 }
 
@@ -137,21 +137,24 @@ TEST(ScenarioErrors, KeyGivenTwice) {
             "scene.json:3: key 'seed' is given twice, first on line 1; remove one");
   EXPECT_EQ(ErrorInRobot("\"name\": \"a\",\n\"name\": \"b\""),
             "scene.json:3: key 'name' is given twice in robots[0], first on line 2; remove one");
-  EXPECT_TRUE(Has(ErrorInRobot(R"("drivers": {"snd": {"a": 1, "a": 2}})"), "is given twice"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("drivers": {"snd": {"a": 1, "a": 2}})"), "is given twice"));
 }
 
 TEST(ScenarioErrors, Obstacles) {
-  EXPECT_TRUE(Has(ErrorInLine2(R"("obstacles": {"up": [5, 91]})"),
-                  "scene.json:2: obstacles.up[1] is 91, which is no obstacle of world 'syrotek'; "
-                  "dynamic are 5, 6,"));
-  EXPECT_TRUE(Has(ErrorInLine2(R"("obstacles": {"up": [26]})"),
-                  "scene.json:2: obstacles.up[0] is 26, a box of kind 'static', which cannot be "
-                  "moved; dynamic are 5, 6,"));
-  EXPECT_TRUE(Has(ErrorInLine2(R"("obstacles": {"down": [1]})"), "cannot be moved"));
+  EXPECT_TRUE(
+      HasText(ErrorInLine2(R"("obstacles": {"up": [5, 91]})"),
+              "scene.json:2: obstacles.up[1] is 91, which is no obstacle of world 'syrotek'; "
+              "dynamic are 5, 6,"));
+  EXPECT_TRUE(
+      HasText(ErrorInLine2(R"("obstacles": {"up": [26]})"),
+              "scene.json:2: obstacles.up[0] is 26, a box of kind 'static', which cannot be "
+              "moved; dynamic are 5, 6,"));
+  EXPECT_TRUE(HasText(ErrorInLine2(R"("obstacles": {"down": [1]})"), "cannot be moved"));
   EXPECT_EQ(ErrorInLine2(R"("obstacles": {"up": [5], "down": [5]})"),
             "scene.json:2: obstacles.down[0] is 5, which is also in 'up'; remove one");
-  EXPECT_TRUE(Has(ErrorOf(R"({"world": {"name": "w", "size": [4, 4]}, "obstacles": {"up": [1]}})"),
-                  "this world has none"));
+  EXPECT_TRUE(
+      HasText(ErrorOf(R"({"world": {"name": "w", "size": [4, 4]}, "obstacles": {"up": [1]}})"),
+              "this world has none"));
 }
 
 TEST(ScenarioErrors, CustomRobots) {
@@ -159,23 +162,24 @@ TEST(ScenarioErrors, CustomRobots) {
   const auto error = [&](const std::string& body, const std::string& more = "") {
     return ErrorInRobot(R"("type": "Custom", "body": {)" + body + "}" + more);
   };
-  EXPECT_TRUE(Has(ErrorInRobot(R"("type": "Custom")"), "robots[0] lacks 'body'"));
-  EXPECT_TRUE(Has(ErrorInRobot(R"("body": {})"), "unknown key 'body'"));
-  EXPECT_TRUE(Has(error(""), "robots[0].body lacks 'footprint'"));
-  EXPECT_TRUE(Has(error(R"("footprint": [[0, 0], [1, 0]])"), "has 2 corners, must have 3..16"));
-  EXPECT_TRUE(Has(error(R"("footprint": [[0, 0], [0, 1], [1, 0]])"), "must turn left"));
-  EXPECT_TRUE(Has(error(R"("footprint": )" + square + R"(, "max_side_speed": 1)"),
-                  "is for robots whose drive is \"omni\""));
-  EXPECT_TRUE(Has(error(R"("footprint": )" + square, R"(, "sonar": {"range": 2})"),
-                  "robots[0].sonar lacks 'poses'"));
-  EXPECT_TRUE(Has(error(R"("footprint": )" + square, R"(, "proxies": {"laser": {"0": "hokuyo"}})"),
-                  "this robot has no 'laser'"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("type": "Custom")"), "robots[0] lacks 'body'"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("body": {})"), "unknown key 'body'"));
+  EXPECT_TRUE(HasText(error(""), "robots[0].body lacks 'footprint'"));
+  EXPECT_TRUE(HasText(error(R"("footprint": [[0, 0], [1, 0]])"), "has 2 corners, must have 3..16"));
+  EXPECT_TRUE(HasText(error(R"("footprint": [[0, 0], [0, 1], [1, 0]])"), "must turn left"));
+  EXPECT_TRUE(HasText(error(R"("footprint": )" + square + R"(, "max_side_speed": 1)"),
+                      "is for robots whose drive is \"omni\""));
+  EXPECT_TRUE(HasText(error(R"("footprint": )" + square, R"(, "sonar": {"range": 2})"),
+                      "robots[0].sonar lacks 'poses'"));
   EXPECT_TRUE(
-      Has(error(R"("footprint": )" + square, R"(, "rangers": [{"name": "pose", "laser": {}}])"),
-          "is 'pose', as is another component of the robot"));
-  EXPECT_TRUE(Has(error(R"("footprint": )" + square, R"(, "rangers": [{"name": "a"}])"),
-                  "must have either a 'laser' or a 'ring'"));
-  EXPECT_TRUE(Has(ErrorInRobot(R"("odometry": {"error": [0, 0, -1]})"), "must be 0..1"));
+      HasText(error(R"("footprint": )" + square, R"(, "proxies": {"laser": {"0": "hokuyo"}})"),
+              "this robot has no 'laser'"));
+  EXPECT_TRUE(
+      HasText(error(R"("footprint": )" + square, R"(, "rangers": [{"name": "pose", "laser": {}}])"),
+              "is 'pose', as is another component of the robot"));
+  EXPECT_TRUE(HasText(error(R"("footprint": )" + square, R"(, "rangers": [{"name": "a"}])"),
+                      "must have either a 'laser' or a 'ring'"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("odometry": {"error": [0, 0, -1]})"), "must be 0..1"));
 }
 
 TEST(ScenarioErrors, UnknownNames) {
@@ -196,15 +200,17 @@ TEST(ScenarioErrors, UnknownNames) {
             "scene.json:2: key '{}' in robots[0].proxies.laser must be an index 0..65535, as \"0\"",
             index));
   }
-  EXPECT_TRUE(Has(ErrorInLine2(R"("world": "syrotec")"),
-                  "scene.json:2: world is 'syrotec', must be one of "));
-  EXPECT_TRUE(Has(ErrorInLine2(R"("world": "syrotec")"), "did you mean 'syrotek'?"));
-  EXPECT_TRUE(Has(ErrorInLine2(R"("world": "../worlds/syrotek")"), "must be one of"));
+  EXPECT_TRUE(HasText(ErrorInLine2(R"("world": "syrotec")"),
+                      "scene.json:2: world is 'syrotec', must be one of "));
+  EXPECT_TRUE(HasText(ErrorInLine2(R"("world": "syrotec")"), "did you mean 'syrotek'?"));
+  EXPECT_TRUE(HasText(ErrorInLine2(R"("world": "../worlds/syrotek")"), "must be one of"));
   EXPECT_EQ(ErrorInLine2(R"("world": {"file": "none.json"})"),
             "scene.json:2: cannot read none.json: No such file or directory");
-  EXPECT_TRUE(Has(ErrorInLine2(R"("time": {"strategy": "realtim"})"), "did you mean 'realtime'?"));
-  EXPECT_TRUE(Has(ErrorInLine2(R"("canvas": {"mode": "mini-map"})"), "did you mean 'minimap'?"));
-  EXPECT_TRUE(Has(ErrorInRobot(R"("laser": {"preset": "urg04"})"), "must be one of"));
+  EXPECT_TRUE(
+      HasText(ErrorInLine2(R"("time": {"strategy": "realtim"})"), "did you mean 'realtime'?"));
+  EXPECT_TRUE(
+      HasText(ErrorInLine2(R"("canvas": {"mode": "mini-map"})"), "did you mean 'minimap'?"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("laser": {"preset": "urg04"})"), "must be one of"));
 }
 
 std::string ErrorInMesh(const std::string& settings) {
@@ -224,14 +230,15 @@ TEST(ScenarioErrors, Meshes) {
             "scene.json:3: world.meshes[0].triangles[0] has 2 numbers, must be the indexes of 3 "
             "vertices");
   for (const char* line : {"[0, 1, 3]", "[0, 1, 0]"}) {
-    EXPECT_TRUE(Has(ErrorInMesh(vertices + R"(, "triangles": [)" + line + "]"),
-                    "which lie on one line; remove it"));
+    EXPECT_TRUE(HasText(ErrorInMesh(vertices + R"(, "triangles": [)" + line + "]"),
+                        "which lie on one line; remove it"));
   }
   EXPECT_EQ(ErrorInMesh(R"("vertices": [[0, 0, 0]], "triangles": [])"),
             "scene.json:3: world.meshes[0].vertices has 1 vertices, must have 3 or more");
-  EXPECT_TRUE(Has(ErrorInMesh(R"("vertices": [[0, 0, 1e9]], "triangles": [])"), "must be -1000"));
-  EXPECT_TRUE(Has(ErrorInMesh(vertices + R"(, "triangles": [[0, 1, 2]], "postion": [1, 2, 3])"),
-                  "unknown key 'postion' in world.meshes[0]; did you mean 'position'?"));
+  EXPECT_TRUE(
+      HasText(ErrorInMesh(R"("vertices": [[0, 0, 1e9]], "triangles": [])"), "must be -1000"));
+  EXPECT_TRUE(HasText(ErrorInMesh(vertices + R"(, "triangles": [[0, 1, 2]], "postion": [1, 2, 3])"),
+                      "unknown key 'postion' in world.meshes[0]; did you mean 'position'?"));
   const std::string triangle = R"("vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]],
 "triangles": [[0, 1, 2]])";
   EXPECT_EQ(
@@ -245,8 +252,8 @@ TEST(ScenarioErrors, Rings) {
   EXPECT_EQ(ErrorInRobot(R"("ir": 3)"),
             "scene.json:2: robots[0].ir must be true, false or an object {...}, not a number");
   EXPECT_TRUE(
-      Has(ErrorInRobot(R"("sonar": {"cone": 3})"), "unknown key 'cone' in robots[0].sonar"));
-  EXPECT_TRUE(Has(ErrorInRobot(R"("sonar": {"cone_deg": 180})"), "at most 170"));
+      HasText(ErrorInRobot(R"("sonar": {"cone": 3})"), "unknown key 'cone' in robots[0].sonar"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("sonar": {"cone_deg": 180})"), "at most 170"));
   EXPECT_EQ(
       ErrorInRobot(R"("ir": {"range": 1, "min_range": 1})"),
       "scene.json:2: robots[0].ir has a min_range of 1 m, must be less than its range of 1 m");
@@ -256,14 +263,14 @@ TEST(ScenarioErrors, Rings) {
   EXPECT_EQ(ErrorInRobot(R"("front": "sensors", "ir": true, "laser": {})"),
             "scene.json:2: robots[0].laser belongs to a robot with \"front\": \"laser\"; remove "
             "one of them");
-  EXPECT_TRUE(
-      Has(ErrorInRobot(R"("front": "sensors", "ir": true, "proxies": {"laser": {"0": "hokuyo"}})"),
-          "has taken the place of"));
-  EXPECT_TRUE(Has(ErrorInRobot(R"("front": "laserr")"), "did you mean 'laser'?"));
+  EXPECT_TRUE(HasText(
+      ErrorInRobot(R"("front": "sensors", "ir": true, "proxies": {"laser": {"0": "hokuyo"}})"),
+      "has taken the place of"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("front": "laserr")"), "did you mean 'laser'?"));
 }
 
 TEST(ScenarioErrors, Layers) {
-  EXPECT_TRUE(Has(ErrorInRobot(R"("laser": {"layers": 0})"), "is 0, must be 1..128"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("laser": {"layers": 0})"), "is 0, must be 1..128"));
   EXPECT_EQ(ErrorInRobot(R"("laser": {"layers": 128, "samples": 1000})"),
             "scene.json:2: robots[0].laser has 128 layers of 1000 beams, 128000 in all, must be at "
             "most 100000");
@@ -274,22 +281,22 @@ TEST(ScenarioErrors, Layers) {
 TEST(ScenarioErrors, Colors) {
   for (const char* color : {"\"#12345\"", "\"#12345g\"", "\"#+1+2+3\"", "\"\"", "\"gren\""}) {
     const std::string message = ErrorInRobot(fmt::format(R"("color": {})", color));
-    EXPECT_TRUE(Has(message, "scene.json:2: robots[0].color is ")) << message;
+    EXPECT_TRUE(HasText(message, "scene.json:2: robots[0].color is ")) << message;
   }
-  EXPECT_TRUE(Has(ErrorInRobot(R"("color": "gren")"), "did you mean 'green'?"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("color": "gren")"), "did you mean 'green'?"));
   EXPECT_EQ(ErrorInRobot(R"("color": [0, 256, 0])"),
             "scene.json:2: robots[0].color[1] is 256, must be 0..255");
-  EXPECT_TRUE(Has(ErrorInRobot(R"("color": [0, 0])"), "has 2 numbers"));
-  EXPECT_TRUE(Has(ErrorInRobot(R"("color": 7)"), "must be a colour"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("color": [0, 0])"), "has 2 numbers"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("color": 7)"), "must be a colour"));
 }
 
 TEST(ScenarioErrors, Names) {
   for (const char* name : {"", "a b", "a.b", "r\\u00e9my", "a\\nb"}) {
     const std::string message = ErrorInRobot(fmt::format(R"("name": "{}")", name));
-    EXPECT_TRUE(Has(message, "must be 1 to 64 letters, digits or _")) << message;
-    EXPECT_FALSE(Has(message, "\n")) << message;
+    EXPECT_TRUE(HasText(message, "must be 1 to 64 letters, digits or _")) << message;
+    EXPECT_FALSE(HasText(message, "\n")) << message;
   }
-  EXPECT_TRUE(Has(ErrorInRobot(fmt::format(R"("name": "{}")", std::string(65, 'a'))), "..."));
+  EXPECT_TRUE(HasText(ErrorInRobot(fmt::format(R"("name": "{}")", std::string(65, 'a'))), "..."));
 }
 
 TEST(ScenarioErrors, MissingKeys) {
@@ -302,8 +309,8 @@ TEST(ScenarioErrors, MissingKeys) {
 TEST(ScenarioErrors, BothUnitsOfAnAngle) {
   EXPECT_EQ(ErrorInRobot(R"("pose": {"x": 1, "y": 1, "yaw": 0, "yaw_deg": 0})"),
             "scene.json:2: robots[0].pose has both 'yaw' and 'yaw_deg'; keep one");
-  EXPECT_TRUE(Has(ErrorInRobot(R"("pose": {"x": 1, "y": 1, "yaw": 150})"),
-                  "robots[0].pose.yaw is 150, must be "));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("pose": {"x": 1, "y": 1, "yaw": 150})"),
+                      "robots[0].pose.yaw is 150, must be "));
 }
 
 TEST(ScenarioErrors, BadJsonNamesItsLine) {
@@ -345,15 +352,15 @@ TEST(ScenarioErrors, DefaultRobotThatDoesNotFitStillHasALine) {
 }
 
 TEST(ScenarioErrors, BeamsThatDoNotFitTheWindow) {
-  EXPECT_TRUE(Has(ErrorInRobot(R"("laser": {"resolution_deg": 1e-9})"),
-                  "scene.json:2: robots[0].laser makes too many beams"));
-  EXPECT_TRUE(Has(ErrorInRobot(R"("laser": {"scan_window_deg": 1, "resolution_deg": 5})"),
-                  "makes too few beams"));
-  EXPECT_TRUE(Has(ErrorInRobot(R"("laser": {"samples": 5000, "resolution_deg": 1})"),
-                  "more than its window of 360"));
-  EXPECT_TRUE(
-      Has(ErrorInRobot(R"("laser": {"samples": 682, "resolution_deg": 1, "scan_window_deg": 90})"),
-          "more than its window of 90"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("laser": {"resolution_deg": 1e-9})"),
+                      "scene.json:2: robots[0].laser makes too many beams"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("laser": {"scan_window_deg": 1, "resolution_deg": 5})"),
+                      "makes too few beams"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("laser": {"samples": 5000, "resolution_deg": 1})"),
+                      "more than its window of 360"));
+  EXPECT_TRUE(HasText(
+      ErrorInRobot(R"("laser": {"samples": 682, "resolution_deg": 1, "scan_window_deg": 90})"),
+      "more than its window of 90"));
 }
 
 TEST(WorldErrors, Boxes) {

@@ -39,7 +39,7 @@ StageWorld Import(const std::string& text, const std::vector<std::string>& pictu
   return ParseStageWorld(text, "dir/test.world", files);
 }
 
-std::string ErrorOf(const std::string& text) {
+std::string WorldError(const std::string& text) {
   try {
     Import(text);
   } catch (const Error& error) {
@@ -82,7 +82,7 @@ TEST(StageWorldC3, GlobalPropertiesOfTime) {
   EXPECT_DOUBLE_EQ(time.end, 12.0);
   EXPECT_DOUBLE_EQ(Import("").scenario.time.frequency, 10.0);
   EXPECT_EQ(Import("speedup 0").scenario.time.strategy, "max");
-  EXPECT_NE(ErrorOf("interval_sim 0").find("test.world:1: interval_sim"), std::string::npos);
+  EXPECT_NE(WorldError("interval_sim 0").find("test.world:1: interval_sim"), std::string::npos);
   EXPECT_TRUE(HasNote(Import("\npaused 1"), "dir/test.world:2: 'paused'"));
   EXPECT_FALSE(HasNote(Import("\npaused 0"), "paused"));
 }
@@ -101,7 +101,7 @@ TEST(StageWorldC3, UnknownPropertiesAreNamedWithTheirLine) {
 }
 
 TEST(StageWorldC3, UnknownTypesOfModelsAreErrors) {
-  EXPECT_NE(ErrorOf("\nmodle ( )")
+  EXPECT_NE(WorldError("\nmodle ( )")
                 .find("test.world:2: 'modle' is neither a type of model nor a "
                       "macro defined before; did you mean 'model'?"),
             std::string::npos);
@@ -177,7 +177,7 @@ TEST(StageWorldC3, RectanglesAreAsFewAsASweepGives) {
 }
 
 TEST(StageWorldC3, AMissingBitmapIsAnError) {
-  EXPECT_EQ(ErrorOf("model (\n bitmap \"no.png\" )").substr(0, 44),
+  EXPECT_EQ(WorldError("model (\n bitmap \"no.png\" )").substr(0, 44),
             "dir/test.world:2: cannot read dir/no.png; na");
 }
 
@@ -227,8 +227,8 @@ TEST(StageWorldC3, OtherPolygonsArePrisms) {
   double top = 0.0;
   for (const Vec3& vertex : mesh.vertices) top = std::max(top, vertex.z);
   EXPECT_DOUBLE_EQ(top, 0.4);
-  EXPECT_EQ(ErrorOf("model ( block ( points 2 ) )").substr(0, 25), "dir/test.world:1: points ");
-  EXPECT_NE(ErrorOf("model ( block ( points 3 point[0] [ 0 0 ] ) )").find("lacks point[1]"),
+  EXPECT_EQ(WorldError("model ( block ( points 2 ) )").substr(0, 25), "dir/test.world:1: points ");
+  EXPECT_NE(WorldError("model ( block ( points 3 point[0] [ 0 0 ] ) )").find("lacks point[1]"),
             std::string::npos);
 }
 
@@ -325,13 +325,13 @@ TEST(StageWorldC3, PositionModelsAreRobots) {
 }
 
 TEST(StageWorldC3, TwoRobotsOfOneNameAreRefused) {
-  EXPECT_NE(ErrorOf("position ( name \"a\" )\nposition ( name \"a\" pose [ 2 0 0 0 ] )")
+  EXPECT_NE(WorldError("position ( name \"a\" )\nposition ( name \"a\" pose [ 2 0 0 0 ] )")
                 .find("test.world:2: two robots are called 'a'"),
             std::string::npos);
 }
 
 TEST(StageWorldC3, ARobotThatStandsInSomethingIsRefused) {
-  EXPECT_NE(ErrorOf("model ( size [ 1 1 1 ] )\nposition ( name \"a\" )")
+  EXPECT_NE(WorldError("model ( size [ 1 1 1 ] )\nposition ( name \"a\" )")
                 .find("test.world:2: robot 'a' at"),
             std::string::npos);
 }
@@ -344,7 +344,7 @@ TEST(StageWorldC3, Drives) {
   const StageWorld car = Import("position ( drive \"car\" wheelbase 0.3 )");
   EXPECT_DOUBLE_EQ(car.scenario.robots[0].body->wheelbase, 0.3);
   EXPECT_DOUBLE_EQ(car.scenario.robots[0].body->max_side_speed, 0.0);
-  EXPECT_NE(ErrorOf("position ( drive \"legs\" )").find("diff, omni or car"), std::string::npos);
+  EXPECT_NE(WorldError("position ( drive \"legs\" )").find("diff, omni or car"), std::string::npos);
 }
 
 TEST(StageWorldC3, LocalizationGpsAndOdom) {
@@ -363,7 +363,7 @@ TEST(StageWorldC3, LocalizationGpsAndOdom) {
   EXPECT_NEAR(odometry.start.yaw, 0.0, 1e-12);
   EXPECT_DOUBLE_EQ(odometry.error.x, 0.03);  // Stage's default
   EXPECT_DOUBLE_EQ(Import("position ( )").scenario.robots[0].odometry.error.x, 0.0);
-  EXPECT_NE(ErrorOf("position ( localization \"x\" )").find("gps or odom"), std::string::npos);
+  EXPECT_NE(WorldError("position ( localization \"x\" )").find("gps or odom"), std::string::npos);
 }
 
 TEST(StageWorldC3, WhatOfAPositionIsNotSupportedIsNamed) {
@@ -485,7 +485,7 @@ TEST(StageWorldC3, AnInvisibleRobotHasNoHull) {
 
 TEST(StageWorldC3, WhatMakesNoSenseIsAnError) {
   const auto expect = [](const std::string& text, const std::string& part) {
-    EXPECT_NE(ErrorOf(text).find(part), std::string::npos) << text << "\n" << ErrorOf(text);
+    EXPECT_NE(WorldError(text).find(part), std::string::npos) << text << "\n" << WorldError(text);
   };
   expect("model ( size [ -1 1 1 ] )", "size has -1 m in it");
   expect("model ( size [ 9 9 900 ] model ( size [ 1 1 900 ] ) )", "1800 m away");

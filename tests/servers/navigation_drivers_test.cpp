@@ -25,7 +25,7 @@ using PlayerCc::PlannerProxy;
 using PlayerCc::PlayerClient;
 using PlayerCc::Position2dProxy;
 
-constexpr const char* kHall = R"({"world": {"name": "hall", "size": [6, 6], "boxes": []},
+constexpr const char* kNavigationHall = R"({"world": {"name": "hall", "size": [6, 6], "boxes": []},
     "robots": [{"name": "a", "pose": {"x": 3, "y": 3, "yaw_deg": 0}, "sonar": {}}]})";
 
 Json Tuple(std::initializer_list<double> numbers) {
@@ -78,9 +78,9 @@ std::vector<PortSetup> PortWith(const std::string& robot, std::vector<DriverDef>
 }
 
 // A simulation in lock-step with one client of ours, which alone lets time go on.
-class Served {
+class ServedDrivers {
  public:
-  Served(const std::string& scenario, std::vector<PortSetup> setup)
+  ServedDrivers(const std::string& scenario, std::vector<PortSetup> setup)
       : served_(scenario, Pace::kLockstep, 0.0, MorseServerOptions{}, 1, RecordOptions{}, 10.0,
                 std::move(setup)),
         client_("player://127.0.0.1", static_cast<std::uint32_t>(served_.player_port())) {}
@@ -117,7 +117,8 @@ bool Stands(const Position2dProxy& position) {
 }
 
 // Goals one after another, each reached within `tolerance` and with its heading, nothing touched.
-void ExpectToReach(Served& run, const std::vector<player_pose2d_t>& goals, double tolerance) {
+void ExpectToReach(ServedDrivers& run, const std::vector<player_pose2d_t>& goals,
+                   double tolerance) {
   Position2dProxy position(run.client(), 1);
   for (const player_pose2d_t& goal : goals) {
     position.GoTo(goal);
@@ -136,19 +137,19 @@ const std::vector<player_pose2d_t> kArenaGoals = {
 std::string ArenaRobot() { return scene::ParseScenario("{}", "test.json").robots.front().name; }
 
 TEST(PlayerVfh, G2DrivesTheArenasRobotToGoals) {
-  Served run("{}", PortWith(ArenaRobot(), {Vfh()}));
+  ServedDrivers run("{}", PortWith(ArenaRobot(), {Vfh()}));
   ExpectToReach(run, kArenaGoals, 0.07);
 }
 
 TEST(PlayerVfh, G2SeesWithASonarOrARangerInstead) {
   for (const char* const eye : {"sonar", "ranger"}) {
-    Served run(kHall, PortWith("a", {Vfh(eye)}));
+    ServedDrivers run(kNavigationHall, PortWith("a", {Vfh(eye)}));
     ExpectToReach(run, {{3.8, 3.6, 1.0}}, 0.07);
   }
 }
 
 TEST(PlayerNd, G3DrivesTheArenasRobotToGoals) {
-  Served run("{}", PortWith(ArenaRobot(), {Nd()}));
+  ServedDrivers run("{}", PortWith(ArenaRobot(), {Nd()}));
   ExpectToReach(run, kArenaGoals, 0.07);
 }
 
@@ -157,14 +158,14 @@ TEST(PlayerNd, G3SeesWithASonarBesideTheLaserOrInstead) {
   both.required.push_back({"", "sonar", 0});
   both.options.values.emplace_back("sonar_bad_transducers", Tuple({0.0}));
   for (const DriverDef& def : {Nd("sonar"), both}) {
-    Served run(kHall, PortWith("a", {def}));
+    ServedDrivers run(kNavigationHall, PortWith("a", {def}));
     ExpectToReach(run, {{3.8, 3.6, 1.0}}, 0.07);
   }
 }
 
 TEST(PlayerGoalDrivers, AGoalThatIsNoPlaceIsDroppedAndSpeedsTakeAGoalAway) {
   for (const DriverDef& def : {Vfh(), Nd()}) {
-    Served run(kHall, PortWith("a", {def}));
+    ServedDrivers run(kNavigationHall, PortWith("a", {def}));
     Position2dProxy position(run.client(), 1);
     position.GoTo(std::numeric_limits<double>::quiet_NaN(), 1.0, 0.0);
     EXPECT_FALSE(run.ReadUntil(1.0, [&] { return !Stands(position); }));
@@ -179,7 +180,7 @@ TEST(PlayerGoalDrivers, AGoalThatIsNoPlaceIsDroppedAndSpeedsTakeAGoalAway) {
 // The text that a set-up is refused with.
 std::string Complaint(DriverDef def, const char* option = nullptr, const Json& value = {}) {
   if (option != nullptr) def.options.values.emplace(def.options.values.begin(), option, value);
-  sim::Simulation simulation(scene::ParseScenario(kHall, "test.json"));
+  sim::Simulation simulation(scene::ParseScenario(kNavigationHall, "test.json"));
   RunOptions options;
   options.morse.port = 0;
   options.morse.first_stream_port = 0;
@@ -234,7 +235,7 @@ TEST(PlayerGoalDrivers, C2OptionsWithoutEffectAreNamedWithTheirPlace) {
 
 // planner:0 and localize:0 of a robot that nothing is said of.
 TEST(PlayerPlanner, G4TakesTheArenasRobotToAGoalAsItIsServedByDefault) {
-  Served run("{}", {});
+  ServedDrivers run("{}", {});
   PlannerProxy planner(run.client(), 0);
   LocalizeProxy localize(run.client(), 0);
   EXPECT_EQ(planner.GetDriverName(), "wavefront");
@@ -292,13 +293,13 @@ std::string Imported(const std::string& name) {
 }
 
 // The robot's place in the map's frame, whose origin is the middle of the world.
-player_pose2d_t TruePlace(const Served& run) {
+player_pose2d_t TruePlace(const ServedDrivers& run) {
   const Pose2& pose = run.robot().pose();
   return {pose.x - 1.725, pose.y - 1.875, pose.yaw};
 }
 
 TEST(PlayerNavigation, G2G4G5ARobotThatHasToFindItsPlaceIsPlannedAndDrivenToGoals) {
-  Served run(Imported("localize.cfg"), {});
+  ServedDrivers run(Imported("localize.cfg"), {});
   PlannerProxy planner(run.client(), 0);
   LocalizeProxy localize(run.client(), 0);
   Position2dProxy odometry(run.client(), 0);
@@ -328,7 +329,7 @@ TEST(PlayerNavigation, G2G4G5ARobotThatHasToFindItsPlaceIsPlannedAndDrivenToGoal
 }
 
 TEST(PlayerLocalize, G5ParticlesGoWhereSetPosePutsThem) {
-  Served run(Imported("localize.cfg"), {});
+  ServedDrivers run(Imported("localize.cfg"), {});
   LocalizeProxy localize(run.client(), 0);
   ASSERT_TRUE(run.ReadUntil(2.0, [&] { return localize.IsValid(); }));
   EXPECT_EQ(localize.GetPendingCount(), 0U);

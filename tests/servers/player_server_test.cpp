@@ -21,10 +21,10 @@ namespace wire = ccmorse::wire::player;
 using testing::PlayerWireClient;
 using wire::MessageType;
 
-constexpr const char* kHall = R"({"world": {"name": "hall", "size": [10, 10], "boxes": []},
+constexpr const char* kWideHall = R"({"world": {"name": "hall", "size": [10, 10], "boxes": []},
     "robots": [{"name": "a", "pose": {"x": 2, "y": 5, "yaw_deg": 0}}]})";
 
-constexpr const char* kTwo = R"({"world": {"name": "hall", "size": [10, 10], "boxes": []},
+constexpr const char* kPair = R"({"world": {"name": "hall", "size": [10, 10], "boxes": []},
     "robots": [{"name": "b", "pose": {"x": 2, "y": 5}}, {"name": "a", "pose": {"x": 5, "y": 5}}]})";
 
 wire::Position2dCmdVel Velocity(double x, double turn) {
@@ -35,14 +35,14 @@ wire::Position2dCmdVel Velocity(double x, double turn) {
 }
 
 TEST(PlayerServer, GreetsWith32BytesOfBanner) {
-  ServedSimulation served(kHall);
+  ServedSimulation served(kWideHall);
   const PlayerWireClient client(served.player_port());
   EXPECT_EQ(client.banner().substr(0, 15), std::string("Player v.3.1.0\0", 15));
   EXPECT_EQ(client.banner().size(), 32U);
 }
 
 TEST(PlayerServer, ListsTheDevicesOfItsPortAndTheirDrivers) {
-  ServedSimulation served(kHall);
+  ServedSimulation served(kWideHall);
   PlayerWireClient client(served.player_port());
   const auto list = client.Get<wire::DeviceDevlist>(wire::kPlayer, 0, wire::kPlayerReqDevlist);
   ASSERT_GE(list.devices.size(), 4U);
@@ -60,7 +60,7 @@ TEST(PlayerServer, ListsTheDevicesOfItsPortAndTheirDrivers) {
 }
 
 TEST(PlayerServer, EachRobotHasAPortOfItsOwnInTheScenariosOrder) {
-  ServedSimulation served(kTwo, Pace::kLockstep);
+  ServedSimulation served(kPair, Pace::kLockstep);
   PlayerWireClient first(served.player_port(0));
   first.SetPull(true);
   first.Subscribe(wire::kPosition2d, 2);
@@ -73,7 +73,7 @@ TEST(PlayerServer, EachRobotHasAPortOfItsOwnInTheScenariosOrder) {
 }
 
 TEST(PlayerServer, RefusesUnknownDevicesAtOnce) {
-  ServedSimulation served(kHall);
+  ServedSimulation served(kWideHall);
   PlayerWireClient client(served.player_port());
   wire::DeviceReq wanted;
   wanted.addr = {0, 0, wire::kGripper, 7};
@@ -89,7 +89,7 @@ TEST(PlayerServer, RefusesUnknownDevicesAtOnce) {
 }
 
 TEST(PlayerServer, APullRoundIsAckThenDataThenSynch) {
-  ServedSimulation served(kHall, Pace::kLockstep);
+  ServedSimulation served(kWideHall, Pace::kLockstep);
   PlayerWireClient client(served.player_port());
   client.SetPull(true);
   EXPECT_EQ(client.Subscribe(wire::kPosition2d, 0), "ccmorse");
@@ -109,7 +109,7 @@ TEST(PlayerServer, APullRoundIsAckThenDataThenSynch) {
 }
 
 TEST(PlayerServer, NoSynchComesWithoutData) {
-  ServedSimulation served(kHall);
+  ServedSimulation served(kWideHall);
   PlayerWireClient client(served.player_port());
   client.SetPull(true);
   client.Send(MessageType::kRequest, wire::kPlayer, 0, wire::kPlayerReqData);
@@ -118,7 +118,7 @@ TEST(PlayerServer, NoSynchComesWithoutData) {
 }
 
 TEST(PlayerServer, PushIsTheDefaultAndHasNoSynch) {
-  ServedSimulation served(kHall);
+  ServedSimulation served(kWideHall);
   PlayerWireClient client(served.player_port());
   client.Subscribe(wire::kPosition2d, 0);
   double last = 0.0;
@@ -133,7 +133,7 @@ TEST(PlayerServer, PushIsTheDefaultAndHasNoSynch) {
 }
 
 TEST(PlayerServer, VelocityCommandsDriveTheRobot) {
-  ServedSimulation served(kHall, Pace::kLockstep);
+  ServedSimulation served(kWideHall, Pace::kLockstep);
   PlayerWireClient client(served.player_port());
   client.SetPull(true);
   client.Subscribe(wire::kPosition2d, 0);
@@ -154,7 +154,7 @@ TEST(PlayerServer, VelocityCommandsDriveTheRobot) {
 }
 
 TEST(PlayerServer, TheRobotStopsWhenTheLastSubscriberLeaves) {
-  ServedSimulation served(kHall, Pace::kLockstep);
+  ServedSimulation served(kWideHall, Pace::kLockstep);
   PlayerWireClient viewer(served.player_port());
   viewer.SetPull(true);
   viewer.Subscribe(wire::kPosition2d, 2);
@@ -175,7 +175,7 @@ TEST(PlayerServer, TheRobotStopsWhenTheLastSubscriberLeaves) {
 }
 
 TEST(PlayerServer, GoToDrivesToTheGoalAndTurns) {
-  ServedSimulation served(kHall, Pace::kLockstep);
+  ServedSimulation served(kWideHall, Pace::kLockstep);
   PlayerWireClient client(served.player_port());
   client.SetPull(true);
   client.Subscribe(wire::kPosition2d, 0);
@@ -204,7 +204,7 @@ TEST(PlayerServer, GoToDrivesToTheGoalAndTurns) {
 }
 
 TEST(PlayerServer, OdometryCanBeSetAndTheGlobalPoseIsAtIndex2) {
-  ServedSimulation served(kHall, Pace::kLockstep);
+  ServedSimulation served(kWideHall, Pace::kLockstep);
   PlayerWireClient client(served.player_port());
   client.SetPull(true);
   client.Subscribe(wire::kPosition2d, 0);
@@ -228,7 +228,7 @@ TEST(PlayerServer, OdometryCanBeSetAndTheGlobalPoseIsAtIndex2) {
 }
 
 TEST(PlayerServer, TheBaseHasASizeAndAMotorSwitch) {
-  ServedSimulation served(kHall, Pace::kLockstep);
+  ServedSimulation served(kWideHall, Pace::kLockstep);
   PlayerWireClient client(served.player_port());
   client.SetPull(true);
   client.Subscribe(wire::kPosition2d, 0);
@@ -247,7 +247,7 @@ TEST(PlayerServer, TheBaseHasASizeAndAMotorSwitch) {
 }
 
 TEST(PlayerServer, OneScannerIsALaserAndARanger) {
-  ServedSimulation served(kHall, Pace::kLockstep);
+  ServedSimulation served(kWideHall, Pace::kLockstep);
   PlayerWireClient client(served.player_port());
   client.SetPull(true);
   client.Subscribe(wire::kLaser, 0);
@@ -284,7 +284,7 @@ TEST(PlayerServer, OneScannerIsALaserAndARanger) {
 }
 
 TEST(PlayerServer, CapabilitiesAndPropertiesAreThere) {
-  ServedSimulation served(kHall);
+  ServedSimulation served(kWideHall);
   PlayerWireClient client(served.player_port());
   const auto can = [&](MessageType type, std::uint8_t subtype) {
     wire::CapabilitiesReq asked;
@@ -313,7 +313,7 @@ TEST(PlayerServer, CapabilitiesAndPropertiesAreThere) {
 }
 
 TEST(PlayerServer, LockstepWaitsForThePullClientsOfBothProtocols) {
-  ServedSimulation served(kHall, Pace::kLockstep);
+  ServedSimulation served(kWideHall, Pace::kLockstep);
   PlayerWireClient player(served.player_port());
   player.SetPull(true);
   player.Subscribe(wire::kPosition2d, 0);
@@ -327,7 +327,7 @@ TEST(PlayerServer, LockstepWaitsForThePullClientsOfBothProtocols) {
 }
 
 TEST(PlayerServer, CommandsSentBeforeTheSocketClosesAreCarriedOut) {
-  ServedSimulation served(kHall, Pace::kLockstep);
+  ServedSimulation served(kWideHall, Pace::kLockstep);
   {
     PlayerWireClient client(served.player_port());
     client.Subscribe(wire::kPosition2d, 0);
@@ -341,7 +341,7 @@ TEST(PlayerServer, CommandsSentBeforeTheSocketClosesAreCarriedOut) {
 }
 
 TEST(PlayerServer, TheEndOfARunClosesTheConnection) {
-  ServedSimulation served(kHall, Pace::kLockstep, 0.5);
+  ServedSimulation served(kWideHall, Pace::kLockstep, 0.5);
   PlayerWireClient client(served.player_port());
   client.SetPull(true);
   client.Subscribe(wire::kPosition2d, 0);
@@ -352,7 +352,7 @@ TEST(PlayerServer, TheEndOfARunClosesTheConnection) {
 }
 
 TEST(PlayerServer, BrokenStreamsEndOneConnectionOnly) {
-  ServedSimulation served(kHall);
+  ServedSimulation served(kWideHall);
   PlayerWireClient good(served.player_port());
   good.Subscribe(wire::kPosition2d, 0);
   {
@@ -379,7 +379,7 @@ TEST(PlayerServer, BrokenStreamsEndOneConnectionOnly) {
 }
 
 TEST(PlayerServer, AHundredClientsGetEveryRound) {
-  ServedSimulation served(kHall, Pace::kLockstep);
+  ServedSimulation served(kWideHall, Pace::kLockstep);
   std::vector<std::unique_ptr<PlayerWireClient>> clients;
   for (int i = 0; i < 100; ++i) {
     clients.push_back(std::make_unique<PlayerWireClient>(served.player_port()));
@@ -405,7 +405,7 @@ TEST(PlayerServer, AHundredClientsGetEveryRound) {
 }
 
 TEST(PlayerServer, AClientThatNeverReadsCostsLittleAndIsToldWhatItLost) {
-  ServedSimulation served(kHall, Pace::kLockstep);
+  ServedSimulation served(kWideHall, Pace::kLockstep);
   PlayerWireClient lazy(served.player_port());
   lazy.SetPull(true);
   lazy.Subscribe(wire::kPosition2d, 0);

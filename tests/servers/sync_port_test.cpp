@@ -106,9 +106,10 @@ TEST_P(SyncPortTest, ASecondClientWaitsUntilTheFirstHasLeft) {
   ExpectTick(client, tick + 3);
 }
 
-std::string NameOf(const ::testing::TestParamInfo<Pace>& info) { return PaceName(info.param); }
+std::string NameOfPace(const ::testing::TestParamInfo<Pace>& info) { return PaceName(info.param); }
 
-INSTANTIATE_TEST_SUITE_P(A6, SyncPortTest, ::testing::Values(Pace::kRealTime, Pace::kMax), NameOf);
+INSTANTIATE_TEST_SUITE_P(A6, SyncPortTest, ::testing::Values(Pace::kRealTime, Pace::kMax),
+                         NameOfPace);
 
 }  // namespace
 }  // namespace ccmorse::servers

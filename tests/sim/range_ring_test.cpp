@@ -22,7 +22,9 @@
 namespace ccmorse::sim {
 namespace {
 
-scene::Scenario Parse(const std::string& text) { return scene::ParseScenario(text, "test.json"); }
+scene::Scenario ParseRings(const std::string& text) {
+  return scene::ParseScenario(text, "test.json");
+}
 
 void Tick(Simulation& simulation, int ticks) {
   for (int i = 0; i < ticks; ++i) {
@@ -51,18 +53,19 @@ const std::vector<double>& Ranges(Simulation& simulation, const std::string& nam
 }
 
 TEST(RangeRing, AreMountedOnlyWhereTheScenarioSaysSo) {
-  Simulation plain(Parse(OneRobot("", R"("ir": false)")));
+  Simulation plain(ParseRings(OneRobot("", R"("ir": false)")));
   EXPECT_EQ(plain.FindComponent("s1r.ir"), nullptr);
   EXPECT_EQ(plain.FindComponent("s1r.sonar"), nullptr);
   EXPECT_NE(plain.FindComponent("s1r.hokuyo"), nullptr);
-  Simulation both(Parse(OneRobot("", R"("ir": true, "sonar": true)")));
+  Simulation both(ParseRings(OneRobot("", R"("ir": true, "sonar": true)")));
   EXPECT_EQ(Ranges(both, "s1r.ir").size(), 5U);
   EXPECT_EQ(Ranges(both, "s1r.sonar").size(), 3U);
   EXPECT_NE(both.FindComponent("s1r.hokuyo"), nullptr);
 }
 
 TEST(RangeRing, TheSensorModuleTakesTheLasersPlace) {
-  Simulation simulation(Parse(OneRobot("", R"("front": "sensors", "ir": true, "sonar": true)")));
+  Simulation simulation(
+      ParseRings(OneRobot("", R"("front": "sensors", "ir": true, "sonar": true)")));
   EXPECT_EQ(simulation.FindComponent("s1r.hokuyo"), nullptr);
   EXPECT_EQ(Ranges(simulation, "s1r.ir").size(), 8U);
   EXPECT_EQ(Ranges(simulation, "s1r.sonar").size(), 6U);
@@ -70,14 +73,14 @@ TEST(RangeRing, TheSensorModuleTakesTheLasersPlace) {
 }
 
 TEST(RangeRing, WithNothingInReachTheyGiveTheirRange) {
-  Simulation simulation(Parse(OneRobot("", R"("ir": true, "sonar": true)")));
+  Simulation simulation(ParseRings(OneRobot("", R"("ir": true, "sonar": true)")));
   for (const double range : Ranges(simulation, "s1r.ir")) EXPECT_EQ(range, 0.35);
   for (const double range : Ranges(simulation, "s1r.sonar")) EXPECT_EQ(range, 5.0);
 }
 
 TEST(RangeRing, InfraredSeesWhatStandsBeforeIt) {
   // A wall of 2 m whose near side is at x = 5.3.
-  Simulation simulation(Parse(OneRobot(BoxAt(6.3, 5, 2, 0.16), R"("ir": true)")));
+  Simulation simulation(ParseRings(OneRobot(BoxAt(6.3, 5, 2, 0.16), R"("ir": true)")));
   const std::vector<double>& ranges = Ranges(simulation, "s1r.ir");
   EXPECT_NEAR(ranges[0], 0.3 - 0.078, 1e-12);  // front left
   EXPECT_NEAR(ranges[1], 0.3 - 0.078, 1e-12);  // front right
@@ -90,7 +93,7 @@ TEST(RangeRing, ASonarsEchoComesFromTheNearestPointInItsCone) {
   for (const auto& [degrees, seen] : {std::pair{24.0, true}, {26.0, false}}) {
     const double x = 4.98 - 2.0 * std::sin(Radians(degrees)) - 0.5;
     const double y = 5.063 + 2.0 * std::cos(Radians(degrees)) - 0.5;
-    Simulation simulation(Parse(OneRobot(BoxAt(x, y, 1.0, 0.16), R"("sonar": true)")));
+    Simulation simulation(ParseRings(OneRobot(BoxAt(x, y, 1.0, 0.16), R"("sonar": true)")));
     // The box's nearest corner in the cone is its (+x, +y) one, seen at 2 m; its (+x, -y) one lies
     // outside the cone to the left.
     const double got = Ranges(simulation, "s1r.sonar")[0];
@@ -105,18 +108,18 @@ TEST(RangeRing, ASonarsEchoComesFromTheNearestPointInItsCone) {
 
 TEST(RangeRing, NothingIsTooThinToBeSeen) {
   // A needle of 0.1 mm at 4 m.
-  Simulation simulation(Parse(OneRobot(BoxAt(4.98, 9.063, 0.0001, 0.16), R"("sonar": true)")));
+  Simulation simulation(ParseRings(OneRobot(BoxAt(4.98, 9.063, 0.0001, 0.16), R"("sonar": true)")));
   EXPECT_NEAR(Ranges(simulation, "s1r.sonar")[0], 4.0 - 0.00005, 1e-9);
 }
 
 TEST(RangeRing, NeverLessThanTheLeastRange) {
   Simulation simulation(
-      Parse(OneRobot(BoxAt(5.6, 5, 1, 0.16), R"("ir": {"min_range": 0.1, "range": 0.5})")));
+      ParseRings(OneRobot(BoxAt(5.6, 5, 1, 0.16), R"("ir": {"min_range": 0.1, "range": 0.5})")));
   EXPECT_EQ(Ranges(simulation, "s1r.ir")[0], 0.1);
 }
 
 TEST(RangeRing, SeesOtherRobotsButNotItsOwn) {
-  Simulation simulation(Parse(
+  Simulation simulation(ParseRings(
       R"({"world": {"name": "w", "size": [10, 10]}, "robots": [
           {"name": "a", "pose": {"x": 5, "y": 5}, "ir": true, "front": "sensors"},
           {"name": "b", "pose": {"x": 5.35, "y": 5}}]})"));
@@ -128,7 +131,7 @@ TEST(RangeRing, SeesOtherRobotsButNotItsOwn) {
 }
 
 TEST(RangeRing, DataAndConfigurationAreJson) {
-  Simulation simulation(Parse(OneRobot("", R"("ir": true)")));
+  Simulation simulation(ParseRings(OneRobot("", R"("ir": true)")));
   Tick(simulation, 1);
   Component& ring = *simulation.FindComponent("s1r.ir");
   EXPECT_EQ(ring.LocalData(),
@@ -145,7 +148,7 @@ TEST(RangeRing, DataAndConfigurationAreJson) {
 }
 
 TEST(Laser, ATiltedOneSeesTheFloor) {
-  Simulation simulation(Parse(
+  Simulation simulation(ParseRings(
       OneRobot("", R"("laser": {"preset": "sick", "pitch_deg": 30, "position": [0, 0, 0.465]})")));
   Tick(simulation, 1);
   const auto& laser = dynamic_cast<const LaserScanner&>(*simulation.FindComponent("s1r.hokuyo"));
@@ -160,7 +163,7 @@ TEST(Laser, ATiltedOneSeesTheFloor) {
 
 TEST(Laser, LayersFollowEachOther) {
   Simulation simulation(
-      Parse(OneRobot(BoxAt(7.5, 5, 1, 0.16), R"("laser": {"preset": "sick_ldmrs"})")));
+      ParseRings(OneRobot(BoxAt(7.5, 5, 1, 0.16), R"("laser": {"preset": "sick_ldmrs"})")));
   Tick(simulation, 1);
   const auto& laser = dynamic_cast<const LaserScanner&>(*simulation.FindComponent("s1r.hokuyo"));
   ASSERT_EQ(laser.ranges().size(), 4 * 401U);
@@ -186,7 +189,7 @@ constexpr const char* kMeshWorld = R"({"world": {"name": "w", "size": [10, 10], 
   "robots": [{"pose": {"x": 5, "y": 5}}]})";
 
 TEST(Mesh, RobotsStopBeforeItAndPassBeneath) {
-  Simulation simulation(Parse(kMeshWorld));
+  Simulation simulation(ParseRings(kMeshWorld));
   auto* motion = dynamic_cast<Actuator*>(simulation.FindComponent("s1r.motion"));
   motion->Receive(Json::Parse(R"({"v": 0.4, "w": 0.0})"));
   Tick(simulation, 240);
@@ -196,7 +199,7 @@ TEST(Mesh, RobotsStopBeforeItAndPassBeneath) {
 }
 
 TEST(Mesh, IsSeenFromBothSides) {
-  Simulation simulation(Parse(kMeshWorld));
+  Simulation simulation(ParseRings(kMeshWorld));
   Tick(simulation, 1);
   const auto& laser = dynamic_cast<const LaserScanner&>(*simulation.FindComponent("s1r.hokuyo"));
   EXPECT_NEAR(laser.ranges()[341], 1.0 - 0.035, 1e-4);
@@ -212,7 +215,7 @@ TEST(Mesh, ARobotMayNotStartInIt) {
   std::string text = kMeshWorld;
   text.replace(text.rfind("\"x\": 5"), 6, "\"x\": 6");
   try {
-    Parse(text);
+    ParseRings(text);
     FAIL() << "it may";
   } catch (const Error& error) {
     EXPECT_EQ(std::string(error.what()),
@@ -224,7 +227,7 @@ TEST(Mesh, ARobotMayNotStartInIt) {
 class RangeScenes : public ::testing::TestWithParam<testing::RangeScene> {};
 
 std::uint64_t HashOf(const std::string& text, RayPath path, int ticks) {
-  Simulation simulation(Parse(text));
+  Simulation simulation(ParseRings(text));
   simulation.world().rays().Force(path);
   for (const auto& robot : simulation.robots()) {
     auto* motion = dynamic_cast<Actuator*>(simulation.FindComponent(robot->name() + ".motion"));
@@ -237,7 +240,7 @@ std::uint64_t HashOf(const std::string& text, RayPath path, int ticks) {
 TEST_P(RangeScenes, AreTheSameTwiceAndSenseSomething) {
   const std::uint64_t hash = HashOf(GetParam().text, RayPath::kAuto, 120);
   EXPECT_EQ(HashOf(GetParam().text, RayPath::kAuto, 120), hash);
-  Simulation simulation(Parse(GetParam().text));
+  Simulation simulation(ParseRings(GetParam().text));
   Tick(simulation, 60);
   for (const Component* component : simulation.components()) {
     if (const auto* ring = dynamic_cast<const RangeRing*>(component)) {

@@ -12,7 +12,9 @@
 namespace ccmorse::sim {
 namespace {
 
-scene::Scenario Parse(const std::string& text) { return scene::ParseScenario(text, "test.json"); }
+scene::Scenario ParseS1r(const std::string& text) {
+  return scene::ParseScenario(text, "test.json");
+}
 
 void Advance(Simulation& simulation, double seconds) {
   const auto end = simulation.tick() + static_cast<std::uint64_t>(std::lround(seconds * 60));
@@ -39,14 +41,14 @@ std::vector<std::string> Names(const Simulation& simulation) {
 }
 
 TEST(R13, EveryS1RCarriesTheSameDevices) {
-  const Simulation simulation(Parse("{}"));
+  const Simulation simulation(ParseS1r("{}"));
   EXPECT_EQ(Names(simulation),
             (std::vector<std::string>{"s1r.answers", "s1r.hokuyo", "s1r.motion", "s1r.odometry",
                                       "s1r.pen", "s1r.pose", "s1r.properties", "s1r.waypoint"}));
 }
 
 TEST(R09, TwoRobotsAreEquippedAlike) {
-  const Simulation simulation(Parse(
+  const Simulation simulation(ParseS1r(
       R"({"robots": [{"name": "a", "pose": {"x": 1.2, "y": 2.0}},
                      {"name": "b", "pose": {"x": 2.0, "y": 2.8}}]})"));
   ASSERT_EQ(simulation.components().size(), 16U);
@@ -56,7 +58,7 @@ TEST(R09, TwoRobotsAreEquippedAlike) {
 }
 
 TEST(R10, TheLaserSitsInFrontAndScansTenTimesASecond) {
-  Simulation simulation(Parse("{}"));
+  Simulation simulation(ParseS1r("{}"));
   const auto* laser = dynamic_cast<LaserScanner*>(simulation.FindComponent("s1r.hokuyo"));
   EXPECT_DOUBLE_EQ(laser->mount().x, 0.035);
   Advance(simulation, 2.0);
@@ -64,7 +66,7 @@ TEST(R10, TheLaserSitsInFrontAndScansTenTimesASecond) {
 }
 
 TEST(R11, TheLasersConfigurationIsTheThesiss) {
-  const Simulation simulation(Parse("{}"));
+  const Simulation simulation(ParseS1r("{}"));
   const Json configuration = simulation.FindComponent("s1r.hokuyo")->Configurations();
   EXPECT_EQ(*configuration.Find("Visible_arc"), Json(false));
   EXPECT_EQ(*configuration.Find("resolution"), Json(0.39589));
@@ -74,7 +76,7 @@ TEST(R11, TheLasersConfigurationIsTheThesiss) {
 }
 
 TEST(R12, AScanHas682Ranges) {
-  Simulation simulation(Parse("{}"));
+  Simulation simulation(ParseS1r("{}"));
   Advance(simulation, 0.1);
   EXPECT_EQ(Data(simulation, "s1r.hokuyo").Find("range_list")->AsArray().size(), 682U);
   EXPECT_EQ(Data(simulation, "s1r.hokuyo").Find("point_list")->AsArray().size(), 682U);
@@ -82,7 +84,8 @@ TEST(R12, AScanHas682Ranges) {
 
 TEST(Laser, PointsLieAtTheirRangesAndTheWallWhereItIs) {
   // Facing the lower border from 1 m: the middle beam meets it at y = 0.04.
-  Simulation simulation(Parse(R"({"robots": [{"pose": {"x": 3.1, "y": 0.3, "yaw_deg": -90}}]})"));
+  Simulation simulation(
+      ParseS1r(R"({"robots": [{"pose": {"x": 3.1, "y": 0.3, "yaw_deg": -90}}]})"));
   Advance(simulation, 0.1);
   const Json data = Data(simulation, "s1r.hokuyo");
   const Json::Array& ranges = data.Find("range_list")->AsArray();
@@ -96,7 +99,7 @@ TEST(Laser, PointsLieAtTheirRangesAndTheWallWhereItIs) {
 }
 
 TEST(Laser, SeesAnotherRobotsHull) {
-  Simulation simulation(Parse(
+  Simulation simulation(ParseS1r(
       R"({"robots": [{"name": "a", "pose": {"x": 1.0, "y": 2.4}},
                      {"name": "b", "pose": {"x": 2.0, "y": 2.4}}]})"));
   Advance(simulation, 0.1);
@@ -106,7 +109,7 @@ TEST(Laser, SeesAnotherRobotsHull) {
 }
 
 TEST(Motion, ThreeTenthsOfAMetreASecondForOneSecondIsThreeTenthsOfAMetre) {  // thesis S11
-  Simulation simulation(Parse(R"({"robots": [{"pose": {"x": 1.0, "y": 2.0}}]})"));
+  Simulation simulation(ParseS1r(R"({"robots": [{"pose": {"x": 1.0, "y": 2.0}}]})"));
   Drive(simulation, "s1r", 0.3, 0.0);
   Advance(simulation, 1.0);
   EXPECT_NEAR(simulation.robots()[0]->pose().x, 1.3, 1e-12);
@@ -114,7 +117,7 @@ TEST(Motion, ThreeTenthsOfAMetreASecondForOneSecondIsThreeTenthsOfAMetre) {  // 
 }
 
 TEST(Motion, SpeedsAreClampedToTheRobotsLimits) {
-  Simulation simulation(Parse(R"({"robots": [{"pose": {"x": 1.0, "y": 2.0}}]})"));
+  Simulation simulation(ParseS1r(R"({"robots": [{"pose": {"x": 1.0, "y": 2.0}}]})"));
   Drive(simulation, "s1r", 1e300, 0.0);
   Advance(simulation, 0.5);
   const auto& robot = *simulation.robots()[0];
@@ -122,7 +125,7 @@ TEST(Motion, SpeedsAreClampedToTheRobotsLimits) {
 }
 
 TEST(Motion, ACommandThatIsNoNumberChangesNothing) {
-  Simulation simulation(Parse("{}"));
+  Simulation simulation(ParseS1r("{}"));
   Drive(simulation, "s1r", 0.1, 0.2);
   EXPECT_THROW(Drive(simulation, "s1r", std::nan(""), 0.0), WrongArgument);
   auto* motion = dynamic_cast<Actuator*>(simulation.FindComponent("s1r.motion"));
@@ -132,7 +135,8 @@ TEST(Motion, ACommandThatIsNoNumberChangesNothing) {
 }
 
 TEST(Contact, ARobotThatRunsAgainstAWallStopsAndSaysStall) {
-  Simulation simulation(Parse(R"({"robots": [{"pose": {"x": 3.1, "y": 0.4, "yaw_deg": -90}}]})"));
+  Simulation simulation(
+      ParseS1r(R"({"robots": [{"pose": {"x": 3.1, "y": 0.4, "yaw_deg": -90}}]})"));
   Drive(simulation, "s1r", 0.3, 0.0);
   Advance(simulation, 2.0);
   const Robot& robot = *simulation.robots()[0];
@@ -150,7 +154,7 @@ TEST(Contact, ARobotThatRunsAgainstAWallStopsAndSaysStall) {
 }
 
 TEST(Contact, RobotsStopEachOther) {
-  Simulation simulation(Parse(
+  Simulation simulation(ParseS1r(
       R"({"robots": [{"name": "a", "pose": {"x": 1.0, "y": 2.4}},
                      {"name": "b", "pose": {"x": 2.0, "y": 2.4, "yaw_deg": 180}}]})"));
   Drive(simulation, "a", 0.3, 0.0);
@@ -162,7 +166,7 @@ TEST(Contact, RobotsStopEachOther) {
 }
 
 TEST(L203, OdometryIntegratesToTheDrivenPath) {
-  Simulation simulation(Parse(R"({"robots": [{"pose": {"x": 1.5, "y": 2.4, "yaw_deg": 30}}]})"));
+  Simulation simulation(ParseS1r(R"({"robots": [{"pose": {"x": 1.5, "y": 2.4, "yaw_deg": 30}}]})"));
   Drive(simulation, "s1r", 0.2, 1.0);
   Advance(simulation, 1.0);
   simulation.Sense();
@@ -176,7 +180,7 @@ TEST(L203, OdometryIntegratesToTheDrivenPath) {
 }
 
 TEST(C10, PropertiesHoldTheConfigurationAndTheModelsData) {
-  Simulation simulation(Parse(
+  Simulation simulation(ParseS1r(
       R"({"robots": [{"color": "#102030", "drivers": {"snd": {"max_speed": 0.2}}}],
           "canvas": {"mode": "fullscreen", "mode_switching": false}})"));
   const Json properties = *Data(simulation, "s1r.properties").Find("properties");
@@ -189,7 +193,7 @@ TEST(C10, PropertiesHoldTheConfigurationAndTheModelsData) {
 }
 
 TEST(C11, PropertiesAreASensor) {
-  const Simulation simulation(Parse("{}"));
+  const Simulation simulation(ParseS1r("{}"));
   EXPECT_NE(dynamic_cast<Sensor*>(simulation.FindComponent("s1r.properties")), nullptr);
 }
 

@@ -10,11 +10,13 @@
 namespace ccmorse::sim {
 namespace {
 
-scene::Scenario Parse(const std::string& text) { return scene::ParseScenario(text, "test.json"); }
+scene::Scenario ParseText(const std::string& text) {
+  return scene::ParseScenario(text, "test.json");
+}
 
 // Drives every robot about by a fixed programme and returns the final hash.
 std::uint64_t Drive(const std::string& scenario, int ticks) {
-  Simulation simulation(Parse(scenario));
+  Simulation simulation(ParseText(scenario));
   for (int i = 0; i < ticks; ++i) {
     simulation.Sense();
     for (const auto& robot : simulation.robots()) {
@@ -55,7 +57,7 @@ TEST(Determinism, TheHashOfThisRunIsTheSameInEveryBuild) {
 }
 
 TEST(Time, IsDerivedFromTheTickAndNotAddedUp) {
-  Simulation simulation(Parse(R"({"time": {"frequency": 100}})"));
+  Simulation simulation(ParseText(R"({"time": {"frequency": 100}})"));
   for (int i = 0; i < 1000; ++i) {
     simulation.Sense();
     simulation.Act();
@@ -65,7 +67,7 @@ TEST(Time, IsDerivedFromTheTickAndNotAddedUp) {
 
 TEST(Sensors, SampleAtTheirOwnRate) {
   Simulation simulation(
-      Parse(R"({"time": {"frequency": 50}, "robots": [{"laser": {"frequency": 7}}]})"));
+      ParseText(R"({"time": {"frequency": 50}, "robots": [{"laser": {"frequency": 7}}]})"));
   for (int i = 0; i < 500; ++i) {
     simulation.Sense();
     simulation.Act();
@@ -78,7 +80,7 @@ TEST(Sensors, SampleAtTheirOwnRate) {
 }
 
 TEST(Sensors, ADeactivatedOneSaysNothingNew) {
-  Simulation simulation(Parse("{}"));
+  Simulation simulation(ParseText("{}"));
   auto* pose = dynamic_cast<Sensor*>(simulation.FindComponent("s1r.pose"));
   pose->set_active(false);
   simulation.Sense();
@@ -86,7 +88,7 @@ TEST(Sensors, ADeactivatedOneSaysNothingNew) {
 }
 
 TEST(World, DynamicBoxesRiseAndStaticOnesStay) {
-  Simulation simulation(Parse("{}"));
+  Simulation simulation(ParseText("{}"));
   const std::size_t before = simulation.world().obstacles().size();
   simulation.world().SetRaised(69, true);
   EXPECT_EQ(simulation.world().obstacles().size(), before + 1);
@@ -97,7 +99,7 @@ TEST(World, DynamicBoxesRiseAndStaticOnesStay) {
 }
 
 TEST(World, ResetPutsRobotsBack) {
-  Simulation simulation(Parse("{}"));
+  Simulation simulation(ParseText("{}"));
   const Pose2 start = simulation.robots()[0]->pose();
   dynamic_cast<Actuator*>(simulation.FindComponent("s1r.motion"))
       ->Receive(Json::Parse(R"({"v": 0.2, "w": 0.3})"));

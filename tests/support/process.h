@@ -53,6 +53,8 @@ Finished RunToEnd(const std::vector<std::string>& command,
 /// Path of a program that this build made ("ccmorse").
 std::string BuiltProgram(const std::string& name);
 
+inline const std::string kCcmorse = BuiltProgram("ccmorse");
+
 /// The simulator as a process of its own, on free ports.
 class Simulator {
  public:

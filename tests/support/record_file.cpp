@@ -10,9 +10,9 @@ namespace ccmorse::testing {
 
 std::vector<RecordedMessage> ReadMessages(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
-  wire::McapReader reader(stream);
+  ccmorse::wire::McapReader reader(stream);
   std::vector<RecordedMessage> messages;
-  wire::McapMessage message;
+  ccmorse::wire::McapMessage message;
   while (reader.Next(&message)) {
     messages.push_back({message.channel->topic, message.channel->schema, message.log_time,
                         std::string(message.data)});
@@ -22,7 +22,7 @@ std::vector<RecordedMessage> ReadMessages(const std::string& file) {
 
 void WriteMessages(const std::string& file, const std::vector<RecordedMessage>& messages) {
   std::ofstream stream(file, std::ios::binary);
-  wire::McapWriter writer(stream, "a test");
+  ccmorse::wire::McapWriter writer(stream, "a test");
   std::map<std::string, std::uint16_t> channels;
   for (const RecordedMessage& message : messages) {
     auto channel = channels.find(message.topic);

@@ -26,7 +26,7 @@ struct Library {
 };
 
 /// All simulations of the program.
-struct Registry {
+struct LiveSimulations {
   std::mutex mutex;  // held while one is opened or ends
   Library library;   // open is set once it was loaded; it is never unloaded
   std::map<std::string, std::weak_ptr<InProcess>> simulations;
@@ -34,15 +34,15 @@ struct Registry {
 };
 
 // Never destroyed: clients may end after any static object.
-Registry& TheRegistry() {
-  static auto* const registry = new Registry;
+LiveSimulations& TheLiveSimulations() {
+  static auto* const registry = new LiveSimulations;
   return *registry;
 }
 
 // The folder of the file that this code is in, with a '/' at its end.
 std::string OwnFolder() {
   Dl_info info{};
-  if (::dladdr(reinterpret_cast<const void*>(&TheRegistry), &info) == 0) return "";
+  if (::dladdr(reinterpret_cast<const void*>(&TheLiveSimulations), &info) == 0) return "";
   const std::string file = info.dli_fname;
   return file.substr(0, file.rfind('/') + 1);
 }
@@ -73,7 +73,7 @@ bool Find(void* handle, const char* name, Function& function) {
 
 // The program ends with simulations running: they end before the statics of their library do.
 void EndAll() {
-  Registry& registry = TheRegistry();
+  LiveSimulations& registry = TheLiveSimulations();
   const std::lock_guard lock(registry.mutex);
   for (CcmorseSim* const simulation : std::exchange(registry.running, {})) {
     registry.library.close(simulation, 1);
@@ -111,7 +111,7 @@ void Keep(void* context, const char* text) { *static_cast<std::string*>(context)
 }  // namespace
 
 std::shared_ptr<InProcess> InProcess::Open(const std::string& simulation, const char* function) {
-  Registry& registry = TheRegistry();
+  LiveSimulations& registry = TheLiveSimulations();
   const std::lock_guard lock(registry.mutex);
   std::weak_ptr<InProcess>& known = registry.simulations[simulation];
   if (std::shared_ptr<InProcess> running = known.lock()) return running;
@@ -132,14 +132,14 @@ std::shared_ptr<InProcess> InProcess::Open(const std::string& simulation, const 
 }
 
 InProcess::~InProcess() {
-  Registry& registry = TheRegistry();
+  LiveSimulations& registry = TheLiveSimulations();
   const std::lock_guard lock(registry.mutex);
   if (registry.running.erase(simulation_) > 0) registry.library.close(simulation_, 0);
 }
 
 int InProcess::Connect(const std::string& protocol, const std::string& robot,
                        const char* function) {
-  Registry& registry = TheRegistry();
+  LiveSimulations& registry = TheLiveSimulations();
   const std::lock_guard lock(registry.mutex);
   if (!registry.running.contains(simulation_)) throw MorseError("the program ends", function);
   std::string why;

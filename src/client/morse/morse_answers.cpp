@@ -9,7 +9,7 @@ namespace {
 
 using ccmorse::Json;
 
-const bool kRegistered =
+const bool kAnswersRegistered =
     RegisterMorseDevice({{"answers"}, {"Answers"}, [](const MorseDeviceInfo& info) {
                            return std::make_unique<MorseAnswers>(info);
                          }});

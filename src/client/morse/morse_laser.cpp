@@ -9,7 +9,7 @@
 namespace CCMorse {
 
 namespace {
-const bool kRegistered = RegisterMorseDevice(
+const bool kLaserRegistered = RegisterMorseDevice(
     {{"hokuyo", "laser", "laserscanner", "sick"},
      {"LaserScanner", "Hokuyo", "Sick"},
      [](const MorseDeviceInfo& info) { return std::make_unique<MorseLaser>(info); }});

@@ -6,7 +6,7 @@
 namespace CCMorse {
 
 namespace {
-const bool kRegistered =
+const bool kMotionVwRegistered =
     RegisterMorseDevice({{"motion", "motionvw"}, {"MotionVW"}, [](const MorseDeviceInfo& info) {
                            return std::make_unique<MorseMotionVW>(info);
                          }});

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kSpeedKeys[6] = {"vx", "vy", "vz", "wx", "wy", "wz"};
 
-const bool kRegistered =
+const bool kOdometryRegistered =
     RegisterMorseDevice({{"odometry"}, {"IntegratedOdometry"}, [](const MorseDeviceInfo& info) {
                            return std::make_unique<MorseOdometry>(info);
                          }});

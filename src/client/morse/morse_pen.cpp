@@ -8,14 +8,14 @@ namespace CCMorse {
 
 namespace {
 
-const bool kRegistered = RegisterMorseDevice({{"pen"}, {"Pen"}, [](const MorseDeviceInfo& info) {
-                                                return std::make_unique<MorsePen>(info);
-                                              }});
+const bool kPenRegistered = RegisterMorseDevice({{"pen"}, {"Pen"}, [](const MorseDeviceInfo& info) {
+                                                   return std::make_unique<MorsePen>(info);
+                                                 }});
 
 // The simulator takes cells in this range, on the canvas or not.
 constexpr int kFarthestCell = 1000000000;
 // Cells of one line of text: each has at most 41 characters, and a line 1 MiB.
-constexpr std::size_t kMostListed = 25000;
+constexpr std::size_t kMostPixels = 25000;
 // Cells of one line of a whole image: 17 characters each.
 constexpr std::size_t kMostInImage = 60000;
 
@@ -137,9 +137,9 @@ void MorsePen::UpdateImageData(const std::vector<PixelUpdate_t>& pixels) {
   std::vector<PixelUpdate_t> held(pixels);
   for (PixelUpdate_t& pixel : held) pixel.point = Held(pixel.point);
   if (CommandPixels("update_image_data", held.data(), held.size())) return;
-  for (std::size_t first = 0; first < held.size(); first += kMostListed) {
+  for (std::size_t first = 0; first < held.size(); first += kMostPixels) {
     MorseArgs list;
-    for (std::size_t i = first; i < std::min(held.size(), first + kMostListed); ++i) {
+    for (std::size_t i = first; i < std::min(held.size(), first + kMostPixels); ++i) {
       const PixelUpdate_t& pixel = held[i];
       list.Add(MorseArgs(pixel.point.x, pixel.point.y, int{pixel.color.r}, int{pixel.color.g},
                          int{pixel.color.b}));

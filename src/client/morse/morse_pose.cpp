@@ -6,9 +6,10 @@
 namespace CCMorse {
 
 namespace {
-const bool kRegistered = RegisterMorseDevice({{"pose"}, {"Pose"}, [](const MorseDeviceInfo& info) {
-                                                return std::make_unique<MorsePose>(info);
-                                              }});
+const bool kPoseRegistered =
+    RegisterMorseDevice({{"pose"}, {"Pose"}, [](const MorseDeviceInfo& info) {
+                           return std::make_unique<MorsePose>(info);
+                         }});
 }  // namespace
 
 MorsePose::MorsePose(const MorseDeviceInfo& info) : MorseSensor(info) {}

@@ -6,7 +6,7 @@
 namespace CCMorse {
 
 namespace {
-const bool kRegistered = RegisterMorseDevice(
+const bool kPropertiesRegistered = RegisterMorseDevice(
     {{"properties", "robotproperties"},
      {"RobotProperties", "Robotproperties"},
      [](const MorseDeviceInfo& info) { return std::make_unique<MorseProperties>(info); }});

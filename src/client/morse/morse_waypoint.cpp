@@ -7,7 +7,7 @@ namespace CCMorse {
 
 namespace {
 
-const bool kRegistered =
+const bool kWaypointRegistered =
     RegisterMorseDevice({{"waypoint"}, {"Waypoint"}, [](const MorseDeviceInfo& info) {
                            return std::make_unique<MorseWaypoint>(info);
                          }});

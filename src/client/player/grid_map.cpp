@@ -12,11 +12,10 @@ namespace CCMorse {
 
 namespace {
 
-constexpr Color_t kWhite{255, 255, 255};
-constexpr int kFarthestCell = 1000000000;
-constexpr double kFarthest = kFarthestCell;
+constexpr int kFarthestMapCell = 1000000000;
+constexpr double kFarthest = kFarthestMapCell;
 
-int Held(int cell) { return std::clamp(cell, -kFarthestCell, kFarthestCell); }
+int Held(int cell) { return std::clamp(cell, -kFarthestMapCell, kFarthestMapCell); }
 
 bool Finite(const player_point_2d_t& point) {
   return std::isfinite(point.px) && std::isfinite(point.py);

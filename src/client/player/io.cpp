@@ -215,13 +215,6 @@ class WifiState : public ProxyState {
   }
 };
 
-template <typename Items>
-std::uint32_t Count(const Items& items) {
-  return static_cast<std::uint32_t>(items.size());
-}
-
-float Single(double value) { return static_cast<float>(value); }
-
 wire::Bytes BytesOf(const std::uint8_t* data, std::uint32_t count) {
   return data == nullptr ? wire::Bytes() : wire::Bytes(data, data + count);
 }

@@ -11,9 +11,8 @@ namespace CCMorse {
 
 namespace {
 
-constexpr Color_t kWhite{255, 255, 255};
 constexpr double kQuestionPeriod = 1.0;      // s, simulated
-constexpr std::size_t kMostListed = 256;     // layers, of the simulator's list
+constexpr std::size_t kMostLayers = 256;     // layers, of the simulator's list
 constexpr std::size_t kLongestListed = 100;  // bytes of a name there
 
 // A layer as it is looked at from above.
@@ -163,7 +162,7 @@ void Layers::SendList() {
   for (const auto& map : maps_) {
     // What the list has no room for is drawn all the same.
     if (map->name_.empty() || map->name_.size() > kLongestListed) continue;
-    if (list.size() < kMostListed) list.push_back({map->name_, map->priority_, map->visible_});
+    if (list.size() < kMostLayers) list.push_back({map->name_, map->priority_, map->visible_});
   }
   pen_.SetLayers(list);
 }

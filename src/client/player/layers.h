@@ -12,6 +12,8 @@
 
 namespace CCMorse {
 
+inline constexpr Color_t kWhite{255, 255, 255};
+
 /// The layers of a window, and what they make together (thesis 4.2.2). Whoever changes a cell marks
 /// it; Compose() works the marked ones out and sends those whose colour is another than before. The
 /// simulator is told the list of layers whenever it changes, and asked once a simulated second

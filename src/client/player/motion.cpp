@@ -63,8 +63,6 @@ std::vector<double> Doubles(const std::vector<float>& values) {
   return {values.begin(), values.end()};
 }
 
-float Single(double value) { return static_cast<float>(value); }
-
 }  // namespace
 
 // --- ActArrayProxy

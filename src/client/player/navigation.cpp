@@ -77,13 +77,6 @@ class VectorMapState : public NoState {
   std::vector<wire::VectormapLayerData> layers;
 };
 
-float Single(double value) { return static_cast<float>(value); }
-
-template <typename Items>
-std::uint32_t Count(const Items& items) {
-  return static_cast<std::uint32_t>(items.size());
-}
-
 constexpr std::uint32_t kTile = 640;             // cells of an edge, what Player asks for at most
 constexpr std::uint64_t kMostCells = 1U << 28U;  // of a map
 

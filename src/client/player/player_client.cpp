@@ -16,14 +16,14 @@ namespace CCMorse::playerlink {
 
 namespace {
 
-constexpr char kConstructor[] = "PlayerClient::PlayerClient()";
-constexpr auto kConnectLimit = std::chrono::seconds(5);
+constexpr char kAskedBy[] = "PlayerClient::PlayerClient()";
+constexpr auto kProbeConnectLimit = std::chrono::seconds(5);
 // A Player server speaks at once, a simulator when it is spoken to.
-constexpr auto kGreetingLimit = std::chrono::milliseconds(200);
+constexpr auto kProbeLimit = std::chrono::milliseconds(200);
 static_assert(core::kPlayerPort == PlayerCc::PLAYER_PORTNUM);
 
 std::unique_ptr<PlayerBackend> OpenInProcess(const std::string& address) {
-  if (core::ParseInProcess(address, kConstructor).protocol == "player") {
+  if (core::ParseInProcess(address, kAskedBy).protocol == "player") {
     return OpenPlayerServer(address, PlayerCc::PLAYER_PORTNUM);
   }
   return OpenSimulator(address, 0);
@@ -33,7 +33,7 @@ std::unique_ptr<PlayerBackend> OpenInProcess(const std::string& address) {
 
 std::unique_ptr<PlayerBackend> OpenBackend(const std::string& address, std::uint32_t port,
                                            bool simulator) {
-  const core::Location asked = core::ParseAddress(address, static_cast<int>(port), kConstructor);
+  const core::Location asked = core::ParseAddress(address, static_cast<int>(port), kAskedBy);
   if (asked.scheme == "sim") return OpenInProcess(asked.host);
   if (asked.scheme == "morse") return OpenSimulator(asked.host, asked.port);
   if (asked.scheme == "player") {
@@ -51,11 +51,11 @@ std::unique_ptr<PlayerBackend> OpenBackend(const std::string& address, std::uint
     }
   }
   if (number < 1 || number > 65535) {
-    throw MorseError("a port is a number from 1 to 65535", kConstructor);
+    throw MorseError("a port is a number from 1 to 65535", kAskedBy);
   }
-  auto stream = std::make_shared<core::TcpStream>(host, number, kConnectLimit, kConstructor);
+  auto stream = std::make_shared<core::TcpStream>(host, number, kProbeConnectLimit, kAskedBy);
   std::string received;
-  const auto deadline = std::chrono::steady_clock::now() + kGreetingLimit;
+  const auto deadline = std::chrono::steady_clock::now() + kProbeLimit;
   while (received.size() < core::kPlayerGreeting.size() &&
          stream->WaitFor(deadline) == core::TcpStream::Wait::kReady && stream->Receive(received)) {
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -16,6 +17,15 @@ namespace PlayerCc {
 namespace wire = ccmorse::wire::player;
 using CCMorse::MorseError;
 using CCMorse::playerlink::Answer;
+
+/// The length of a list, as Player's messages count it.
+template <typename Items>
+std::uint32_t Count(const Items& items) {
+  return static_cast<std::uint32_t>(items.size());
+}
+
+/// A number as most of Player's messages carry it.
+inline float Single(double value) { return static_cast<float>(value); }
 
 /// What PlayerClient and its proxies share, so that either may go first.
 class ClientCore {

@@ -132,11 +132,6 @@ class SonarState : public ProxyState {
   }
 };
 
-template <typename Items>
-std::uint32_t Count(const Items& items) {
-  return static_cast<std::uint32_t>(items.size());
-}
-
 }  // namespace
 
 // --- BumperProxy

@@ -110,11 +110,6 @@ void RequireRaw(const wire::CameraData& image, const char* function) {
   }
 }
 
-template <typename Items>
-std::uint32_t Count(const Items& items) {
-  return static_cast<std::uint32_t>(items.size());
-}
-
 }  // namespace
 
 // --- BlobfinderProxy

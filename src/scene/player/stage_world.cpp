@@ -15,17 +15,16 @@
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "scene/field.h"
+#include "scene/limits.h"
 #include "scene/player/outline.h"
 #include "scene/player/x11_colors.h"
 
 namespace ccmorse::scene {
 namespace {
 
-constexpr double kFarthest = 1000.0;           // m: what a scenario takes
-constexpr std::size_t kMostPieces = 200000;    // boxes and meshes of a world
-constexpr int kMostPoints = 256;               // of a block
-constexpr std::size_t kFootprintCorners = 16;  // what the simulator moves at once
-constexpr std::size_t kHullCorners = 64;
+constexpr std::size_t kMostPieces = 200000;  // boxes and meshes of a world
+constexpr int kMostPoints = 256;             // of a block
+constexpr std::size_t kOutlineCorners = 64;
 constexpr double kFlatHeight = 1.0;       // m, of what Stage 2 gave only two sizes
 constexpr double kFlatRobotHeight = 0.2;  // m, likewise
 constexpr double kThinnest = 0.001;       // m: whatever is flat has this thickness
@@ -640,7 +639,7 @@ class Importer {
         std::vector<Vec2> placed;
         for (const Vec2 corner : piece) placed.push_back(Transform(frame.pose, corner));
         if (solid) build.touching.insert(build.touching.end(), placed.begin(), placed.end());
-        std::vector<Vec2> outline = HullOf(placed, kHullCorners);
+        std::vector<Vec2> outline = HullOf(placed, kOutlineCorners);
         if (outline.empty() || !shape.visible) continue;
         build.def.body->hull.push_back({std::move(outline), bottom, top});
       }

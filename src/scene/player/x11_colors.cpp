@@ -10,13 +10,13 @@
 namespace ccmorse::scene {
 namespace {
 
-struct NamedColor {
+struct X11Entry {
   std::string_view name;
   Color color;
 };
 
 // The names of X11 and their values, in order; "gray0" to "gray100" follow a rule of their own.
-constexpr auto kColors = std::to_array<NamedColor>({
+constexpr auto kX11Colors = std::to_array<X11Entry>({
     {"aliceblue", {240, 248, 255}},
     {"antiquewhite", {250, 235, 215}},
     {"antiquewhite1", {255, 239, 219}},
@@ -494,17 +494,17 @@ std::optional<Color> X11Color(std::string_view name) {
       return Color{level, level, level};
     }
   }
-  const auto found = std::lower_bound(kColors.begin(), kColors.end(), plain,
-                                      [](const NamedColor& entry, const std::string& wanted) {
+  const auto found = std::lower_bound(kX11Colors.begin(), kX11Colors.end(), plain,
+                                      [](const X11Entry& entry, const std::string& wanted) {
                                         return entry.name < std::string_view(wanted);
                                       });
-  if (found == kColors.end() || found->name != plain) return std::nullopt;
+  if (found == kX11Colors.end() || found->name != plain) return std::nullopt;
   return found->color;
 }
 
 std::vector<std::string> X11ColorNames() {
   std::vector<std::string> names;
-  for (const NamedColor& entry : kColors) names.emplace_back(entry.name);
+  for (const X11Entry& entry : kX11Colors) names.emplace_back(entry.name);
   return names;
 }
 

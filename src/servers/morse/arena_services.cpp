@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/trig.h"
+#include "scene/limits.h"
 #include "scene/obstacle_rules.h"
 
 namespace ccmorse::servers {
@@ -18,7 +19,6 @@ using sim::Service;
 using sim::ServiceFailed;
 using sim::WrongArgument;
 
-constexpr double kFarthest = 1000.0;     // m, as in a scenario
 constexpr std::size_t kMostRules = 256;  // timers, traps or presets
 
 Json Ids(const std::vector<int>& ids) {
@@ -123,7 +123,7 @@ std::vector<Service> ArenaServices(sim::Simulation& simulation) {
     const double yaw = box != nullptr ? box->pose.yaw : 0.0;
     const Pose2 pose{sim::NumberArgument(arguments, 1, "x"), sim::NumberArgument(arguments, 2, "y"),
                      NormalizeAngle(sim::NumberArgument(arguments, 3, "yaw", yaw))};
-    if (std::max(std::abs(pose.x), std::abs(pose.y)) > kFarthest) {
+    if (std::max(std::abs(pose.x), std::abs(pose.y)) > scene::kFarthest) {
       throw WrongArgument("x and y must lie within 1000 m of the origin");
     }
     Try([&] { arena.Move(id, pose, simulation.time()); });

@@ -32,7 +32,6 @@ using ErrorCode = boost::system::error_code;
 using sim::Outcome;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kReadBlock = 64U << 10;
 constexpr std::size_t kFrameBlock = 128U << 10;       // a whole canvas at once
 constexpr const char* kThisProgram = "this program";  // a client's address, in the log
 constexpr auto kTurn = std::chrono::milliseconds(1);  // of one connection before others get theirs

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "servers/net/stream_socket.h"
 #include "wire/morse_line.h"
 #include "wire/multinode.h"
 
@@ -23,9 +24,6 @@ namespace {
 namespace asio = boost::asio;
 using asio::ip::tcp;
 using ErrorCode = boost::system::error_code;
-
-constexpr std::size_t kLongestLine = std::size_t{16} << 20;
-constexpr std::size_t kReadBlock = std::size_t{64} << 10;
 
 }  // namespace
 
@@ -37,7 +35,7 @@ struct Multinode::State : std::enable_shared_from_this<Multinode::State> {
         node(std::move(node_in)),
         goes_on(std::move(goes_on_in)),
         socket(io),
-        lines(kLongestLine) {}
+        lines(wire::kLongestNodeLine) {}
 
   void Connect(const scene::MultinodeDef& def) {
     ErrorCode error;

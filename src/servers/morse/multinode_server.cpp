@@ -25,8 +25,6 @@ using asio::ip::tcp;
 using ErrorCode = boost::system::error_code;
 
 constexpr std::size_t kMostNodes = 256;
-constexpr std::size_t kLongestLine = std::size_t{16} << 20;
-constexpr std::size_t kReadBlock = std::size_t{64} << 10;
 
 }  // namespace
 
@@ -34,7 +32,7 @@ constexpr std::size_t kReadBlock = std::size_t{64} << 10;
 struct MultinodeServer::State : std::enable_shared_from_this<MultinodeServer::State> {
   struct Node {
     explicit Node(StreamSocket socket_in)
-        : socket(std::move(socket_in)), outbox(socket), lines(kLongestLine) {}
+        : socket(std::move(socket_in)), outbox(socket), lines(wire::kLongestNodeLine) {}
     bool in_lockstep() const { return scene.nodes > 0; }
 
     StreamSocket socket;

@@ -11,6 +11,7 @@
 #include "base/log.h"
 #include "base/polygon.h"
 #include "base/trig.h"
+#include "scene/limits.h"
 #include "servers/morse/arena_services.h"
 #include "servers/own/own_change.h"
 
@@ -91,8 +92,6 @@ std::string ListText(Arguments arguments) {
   }
   return text + ']';
 }
-
-constexpr double kFarthest = 1000.0;  // m, as in a scenario; more is a mistake in the unit
 
 Vec3 PointArgument(Arguments arguments, std::size_t index, const char* name) {
   const Json& value = arguments[index];
@@ -747,7 +746,7 @@ Json ServiceDirectory::SceneObjects() const {
 void ServiceDirectory::PlaceObject(Arguments arguments) {
   const std::string& name = sim::StringArgument(arguments, 0, "object_name");
   const Vec3 position = PointArgument(arguments, 1, "position");
-  if (std::fabs(position.x) > kFarthest || std::fabs(position.y) > kFarthest) {
+  if (std::fabs(position.x) > scene::kFarthest || std::fabs(position.y) > scene::kFarthest) {
     throw WrongArgument("position must lie within 1000 m of the origin");
   }
   sim::Robot* robot = simulation_.FindRobot(name);
@@ -761,7 +760,7 @@ void ServiceDirectory::PlaceObject(Arguments arguments) {
     // Anywhere in space: what it overlaps there pushes it out.
     const Vec3 euler =
         arguments.size() > 2 ? PointArgument(arguments, 2, "orientation") : robot->euler();
-    if (std::fabs(position.z) > kFarthest) {
+    if (std::fabs(position.z) > scene::kFarthest) {
       throw WrongArgument("position must lie within 1000 m of the origin");
     }
     robot->PlaceInSpace({position, FromEuler(euler.x, euler.y, euler.z), {}, {}});
@@ -788,7 +787,7 @@ void ServiceDirectory::PlaceObject(Arguments arguments) {
 void ServiceDirectory::MirrorPose(Arguments arguments) {
   const std::string& name = sim::StringArgument(arguments, 0, "robot");
   const Vec3 pose = PointArgument(arguments, 1, "pose");
-  if (std::fabs(pose.x) > kFarthest || std::fabs(pose.y) > kFarthest) {
+  if (std::fabs(pose.x) > scene::kFarthest || std::fabs(pose.y) > scene::kFarthest) {
     throw WrongArgument("pose must lie within 1000 m of the origin");
   }
   sim::Robot* robot = simulation_.FindRobot(name);

@@ -3,6 +3,7 @@
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,9 @@ namespace ccmorse::servers {
 
 /// A connection of whatever kind: over TCP, or between two threads of one program.
 using StreamSocket = boost::asio::generic::stream_protocol::socket;
+
+/// Bytes that are read from a connection at once.
+inline constexpr std::size_t kReadBlock = std::size_t{64} << 10;
 
 /// "127.0.0.1:40312", for the log.
 std::string PeerName(const boost::asio::ip::tcp::socket& socket);

@@ -14,7 +14,7 @@
 namespace ccmorse::servers {
 namespace {
 
-constexpr double kFarthest = 1e6;  // m; m/s
+constexpr double kFarthestOwn = 1e6;  // m; m/s
 constexpr double kFarCell = 1e9;
 constexpr double kMostCells = 4096.0;  // of the canvas, each way
 
@@ -26,8 +26,8 @@ struct Verb {
 };
 
 constexpr std::array<Verb, 6> kVerbs = {{
-    {"speed", 3, {kFarthest, kFarthest, kFarthest}},
-    {"place", 3, {kFarthest, kFarthest, kFarthest}},
+    {"speed", 3, {kFarthestOwn, kFarthestOwn, kFarthestOwn}},
+    {"place", 3, {kFarthestOwn, kFarthestOwn, kFarthestOwn}},
     {"pixel", 6, {kFarCell, kFarCell, 255.0, 255.0, 255.0, 1.0}},
     {"line", 8, {kFarCell, kFarCell, kFarCell, kFarCell, 255.0, 255.0, 255.0, 1.0}},
     {"clear", 0, {}},

@@ -28,7 +28,6 @@ using asio::ip::tcp;
 using ErrorCode = boost::system::error_code;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kReadBlock = 64U << 10;
 constexpr auto kTurn = std::chrono::milliseconds(1);  // of one connection before others get theirs
 // Bytes on their way to a client, from which on its data wait in its queue, where replace rules and
 // limits hold.

@@ -12,7 +12,7 @@
 namespace ccmorse::servers {
 namespace {
 
-std::unique_ptr<std::ifstream> Open(const std::string& file) {
+std::unique_ptr<std::ifstream> OpenRecord(const std::string& file) {
   errno = 0;
   auto stream = std::make_unique<std::ifstream>(file, std::ios::binary);
   if (!*stream) throw RecordError("cannot read " + file + ": " + std::strerror(errno));
@@ -105,7 +105,7 @@ RecordInfo ReadInfo(std::istream& stream) {
 }  // namespace
 
 RecordInfo ReadRecordInfo(const std::string& file) {
-  const auto stream = Open(file);
+  const auto stream = OpenRecord(file);
   try {
     return ReadInfo(*stream);
   } catch (const RecordError& error) {
@@ -148,7 +148,7 @@ void Replay::Start() {
   directory_->set_contest(info_.contest);
   hasher_ = std::make_unique<ComponentHasher>(*simulation_);
   reader_.reset();  // refers to the stream
-  stream_ = Open(file_);
+  stream_ = OpenRecord(file_);
   try {
     reader_ = std::make_unique<wire::McapReader>(*stream_);
   } catch (const wire::McapError& error) {

@@ -7,15 +7,15 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr double kMost = 1e4;  // N s^2/m^2
+constexpr double kMostDrag = 1e4;  // N s^2/m^2
 
 }  // namespace
 
 Drag::Drag(Robot& robot, const std::string& name) : Actuator(robot, name, "Drag", 60.0) {
   NeedBody(*this);
-  AddProperty("DragCoeffX", x_, 0.0, kMost);
-  AddProperty("DragCoeffY", y_, 0.0, kMost);
-  AddProperty("DragCoeffZ", z_, 0.0, kMost);
+  AddProperty("DragCoeffX", x_, 0.0, kMostDrag);
+  AddProperty("DragCoeffY", y_, 0.0, kMostDrag);
+  AddProperty("DragCoeffZ", z_, 0.0, kMostDrag);
 }
 
 void Drag::Receive(const Json&) { throw WrongArgument("a Drag takes no messages"); }

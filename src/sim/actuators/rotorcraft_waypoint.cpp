@@ -9,7 +9,7 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr double kFarthest = 1e6;  // m
+constexpr double kFarthestGoal = 1e6;  // m
 
 }  // namespace
 
@@ -52,7 +52,7 @@ RotorcraftWaypoint::Target RotorcraftWaypoint::TargetFrom(Arguments arguments) {
 void RotorcraftWaypoint::Check(const Target& target) {
   if (target.tolerance < 0.0) throw WrongArgument("tolerance must not be negative");
   for (const double part : {target.point.x, target.point.y, target.point.z}) {
-    if (std::fabs(part) > kFarthest) throw WrongArgument("that is too far away");
+    if (std::fabs(part) > kFarthestGoal) throw WrongArgument("that is too far away");
   }
 }
 

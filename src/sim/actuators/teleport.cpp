@@ -9,7 +9,7 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr double kFarthest = 1e6;  // m
+constexpr double kFarthestJump = 1e6;  // m
 
 }  // namespace
 
@@ -32,7 +32,7 @@ Teleport::Teleport(Robot& robot, const std::string& name)
 
 void Teleport::SetTarget(const Vec3& position, const Vec3& euler) {
   for (const double part : {position.x, position.y, position.z, euler.x, euler.y, euler.z}) {
-    if (!(std::fabs(part) <= kFarthest)) throw WrongArgument("that is too far away");
+    if (!(std::fabs(part) <= kFarthestJump)) throw WrongArgument("that is too far away");
   }
   position_ = position;
   euler_ = euler;

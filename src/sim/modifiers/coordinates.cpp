@@ -12,8 +12,8 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr double kFeet = 3.2808399;  // of a metre, as MORSE counts (specs: morse.md B.5)
-constexpr double kFarthest = 1e9;    // m
+constexpr double kFeet = 3.2808399;      // of a metre, as MORSE counts (specs: morse.md B.5)
+constexpr double kFarthestOrigin = 1e9;  // m
 
 using Change = std::function<Vec3(const Vec3&)>;
 
@@ -125,9 +125,9 @@ std::unique_ptr<Modifier> MakeCoordinateModifier(const Component& component,
   }
   if (def.type == "UTM") {
     const ModifierSettings settings(component.full_name(), def);
-    const Vec3 offset{settings.Number("x_offset", 0.0, -kFarthest, kFarthest),
-                      settings.Number("y_offset", 0.0, -kFarthest, kFarthest),
-                      settings.Number("z_offset", 0.0, -kFarthest, kFarthest)};
+    const Vec3 offset{settings.Number("x_offset", 0.0, -kFarthestOrigin, kFarthestOrigin),
+                      settings.Number("y_offset", 0.0, -kFarthestOrigin, kFarthestOrigin),
+                      settings.Number("z_offset", 0.0, -kFarthestOrigin, kFarthestOrigin)};
     const double sign = inwards ? -1.0 : 1.0;
     return std::make_unique<PlaceModifier>(
         [offset, sign](const Vec3& at) { return at + sign * offset; });

@@ -13,12 +13,12 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr double kDepth = 1000.0;    // m: how thick the ground is, so that nothing falls through it
-constexpr double kBreadth = 1e7;     // m, of the ground, on either side of the origin
-constexpr double kFarthest = 1e6;    // m from the origin: whatever gets there stops there
-constexpr double kFastest = 1e4;     // m/s
-constexpr double kFastestSpin = 80;  // rad/s: a rotation by more in a step would not be one
-constexpr double kMargin = 0.005;    // m, around hulls and triangles: how Bullet rounds them
+constexpr double kDepth = 1000.0;  // m: how thick the ground is, so that nothing falls through it
+constexpr double kBreadth = 1e7;   // m, of the ground, on either side of the origin
+constexpr double kFarthestBody = 1e6;  // m from the origin: whatever gets there stops there
+constexpr double kFastestBody = 1e4;   // m/s
+constexpr double kFastestSpin = 80;    // rad/s: a rotation by more in a step would not be one
+constexpr double kMargin = 0.005;      // m, around hulls and triangles: how Bullet rounds them
 
 static_assert(sizeof(btScalar) == sizeof(double), "Bullet must be built for double precision");
 
@@ -33,7 +33,7 @@ Rotation Turned(const btMatrix3x3& m) {
   return {Vector(m.getColumn(0)), Vector(m.getColumn(1)), Vector(m.getColumn(2))};
 }
 
-btTransform Transform(const RigidState& state) {
+btTransform ToBullet(const RigidState& state) {
   return btTransform(Matrix(state.rotation), Vector(state.position));
 }
 
@@ -87,7 +87,7 @@ class SteppedWorld : public btDiscreteDynamicsWorld {
       if (body.isStaticOrKinematicObject()) continue;
       Bound(body);
       const btTransform next = Integrated(body, seconds);
-      if (next.getOrigin().length2() < kFarthest * kFarthest) {
+      if (next.getOrigin().length2() < kFarthestBody * kFarthestBody) {
         body.proceedToTransform(next);
       } else {
         body.setLinearVelocity({0.0, 0.0, 0.0});
@@ -104,7 +104,7 @@ class SteppedWorld : public btDiscreteDynamicsWorld {
       if (!std::isfinite(length)) return btVector3(0.0, 0.0, 0.0);
       return length > most ? v * (most / length) : v;
     };
-    body.setLinearVelocity(bounded(body.getLinearVelocity(), kFastest));
+    body.setLinearVelocity(bounded(body.getLinearVelocity(), kFastestBody));
     body.setAngularVelocity(bounded(body.getAngularVelocity(), kFastestSpin));
   }
 };
@@ -315,7 +315,7 @@ RigidWorld::Body RigidWorld::AddBody(double mass, const Vec3& inertia, const Rig
   info.m_friction = material.friction;
   info.m_linearDamping = material.linear_damping;
   info.m_angularDamping = material.angular_damping;
-  btRigidBody& body = state_->Enter(std::move(thing), info, Transform(state), false);
+  btRigidBody& body = state_->Enter(std::move(thing), info, ToBullet(state), false);
   if (shape.kind == RigidShape::Kind::kNone) {
     body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_NO_CONTACT_RESPONSE);
   }
@@ -331,7 +331,7 @@ RigidWorld::Body RigidWorld::AddMover(const RigidShape& shape, double friction,
   thing->name = name;
   btRigidBody::btRigidBodyConstructionInfo info(0.0, nullptr, State::Make(shape, *thing));
   info.m_friction = friction;
-  btRigidBody& body = state_->Enter(std::move(thing), info, Transform(state), false);
+  btRigidBody& body = state_->Enter(std::move(thing), info, ToBullet(state), false);
   body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
   state_->world.addRigidBody(&body);
   return static_cast<Body>(state_->bodies.size()) - 1;
@@ -346,7 +346,7 @@ RigidState RigidWorld::state(Body number) const {
 
 void RigidWorld::SetState(Body number, const RigidState& state) {
   btRigidBody& body = state_->At(number);
-  const btTransform at = Transform(state);
+  const btTransform at = ToBullet(state);
   body.setWorldTransform(at);
   body.setInterpolationWorldTransform(at);
   body.updateInertiaTensor();

@@ -62,8 +62,6 @@ struct Geometry {
 // A triangle that has no area has no inside to be hit.
 bool HasArea(const Vec3& normal) { return Dot(normal, normal) > 0.0; }
 
-double Length(const Vec3& v) { return std::sqrt(Dot(v, v)); }
-
 // The corner `a` of the triangle a b c with every edge moved outwards by `by`.
 Vec3 Grown(const Vec3& a, const Vec3& b, const Vec3& c, double area, double by) {
   const Vec3 from_b = a - b;

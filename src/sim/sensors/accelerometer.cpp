@@ -4,15 +4,7 @@
 
 namespace ccmorse::sim {
 
-namespace {
-
-void AddVector(StateHash& hash, const Vec3& v) {
-  hash.Add(v.x);
-  hash.Add(v.y);
-  hash.Add(v.z);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Accelerometer::Accelerometer(Robot& robot, const std::string& name)
     : Sensor(robot, name, "Accelerometer", 60.0), motion_(*this) {
@@ -38,8 +30,8 @@ void Accelerometer::Reset() {
 
 void Accelerometer::AddToHash(StateHash& hash) const {
   hash.Add(distance_);
-  AddVector(hash, velocity_);
-  AddVector(hash, acceleration_);
+  hash.Add(velocity_);
+  hash.Add(acceleration_);
 }
 
 void Accelerometer::AppendFields(std::string& out) const {

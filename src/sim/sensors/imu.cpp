@@ -5,7 +5,7 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr double kGravity = 9.81;  // m/s^2, whatever the scene's is, as in MORSE
+constexpr double kMorseGravity = 9.81;  // m/s^2, whatever the scene's is, as in MORSE
 
 Vec3 AsVector(const std::array<double, 3>& parts) { return {parts[0], parts[1], parts[2]}; }
 
@@ -23,8 +23,9 @@ Imu::Imu(Robot& robot, const std::string& name, const scene::Scenario& scenario)
 void Imu::Sample(const Instant& now) {
   const SensorMotion::State& motion = motion_.Update(now, mode_);
   const Vec3& turning = motion.angular_velocity;
-  const Vec3 felt = RotateBack(motion.place.rotation, motion.acceleration + Vec3{0, 0, kGravity}) +
-                    motion.lever_acceleration;
+  const Vec3 felt =
+      RotateBack(motion.place.rotation, motion.acceleration + Vec3{0, 0, kMorseGravity}) +
+      motion.lever_acceleration;
   const Vec3 field = felt_ ? felt_->Now({}) : Vec3{};
   angular_velocity_ = {turning.x, turning.y, turning.z};
   acceleration_ = {felt.x, felt.y, felt.z};

@@ -14,7 +14,7 @@ namespace ccmorse::sim {
 namespace {
 
 constexpr double kHalfLens = 16.0;  // half the width of what the picture falls on, as cam_focal is
-constexpr double kTouching = 1e-6;  // m
+constexpr double kNoDistance = 1e-6;  // m
 
 // The box around a robot that is not turned, or the place of what has no body; low and high corner.
 std::array<Vec3, 2> BoxAround(const SceneObject& object) {
@@ -115,7 +115,7 @@ bool SemanticCamera::IsInView(const SceneObject& object, const Vec3& camera,
 bool SemanticCamera::IsHidden(const SceneObject& object, const Vec3& camera) const {
   const Vec3 way = object.WorldPosition() - camera;
   const double distance = std::sqrt(Dot(way, way));
-  if (!(distance > kTouching)) return false;
+  if (!(distance > kNoDistance)) return false;
   // One beam of two, which a fan has at least. It is rolled so that it is traced as a ray.
   scene::LaserDef ray;
   ray.position = camera;
@@ -129,7 +129,7 @@ bool SemanticCamera::IsHidden(const SceneObject& object, const Vec3& camera) con
   std::array<RayHit, 2> hits{};
   world_.rays().ScanHits(fan, {}, 0.0, robot().index(), hits);
   const RayHit& hit = hits[0];
-  if (hit.surface.kind == HitKind::kNothing || hit.distance >= distance - kTouching) return false;
+  if (hit.surface.kind == HitKind::kNothing || hit.distance >= distance - kNoDistance) return false;
   if (hit.surface.kind == HitKind::kRobot) {
     return object.robot == nullptr || hit.surface.object != object.robot->index();
   }

@@ -13,8 +13,6 @@ namespace {
 constexpr double kShortestStep = 1e-6;  // s; nothing is updated after less (specs: morse.md B.2)
 constexpr double kLever = 0.01;         // m from the robot's origin from which on it counts
 
-double Length(const Vec3& v) { return std::sqrt(Dot(v, v)); }
-
 }  // namespace
 
 MountPlace PlaceOfMount(const Component& component) {

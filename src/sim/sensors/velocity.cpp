@@ -4,15 +4,7 @@
 
 namespace ccmorse::sim {
 
-namespace {
-
-void AddVector(StateHash& hash, const Vec3& v) {
-  hash.Add(v.x);
-  hash.Add(v.y);
-  hash.Add(v.z);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Velocity::Velocity(Robot& robot, const std::string& name)
     : Sensor(robot, name, "Velocity", 60.0), motion_(*this) {
@@ -36,9 +28,9 @@ void Velocity::Reset() {
 }
 
 void Velocity::AddToHash(StateHash& hash) const {
-  AddVector(hash, linear_);
-  AddVector(hash, angular_);
-  AddVector(hash, world_);
+  hash.Add(linear_);
+  hash.Add(angular_);
+  hash.Add(world_);
 }
 
 void Velocity::AppendFields(std::string& out) const {

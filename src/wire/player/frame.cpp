@@ -21,7 +21,7 @@ std::optional<Bytes> RecodeAs(std::span<const std::uint8_t> bytes) {
   return Encode(body);
 }
 
-struct MessageKind {
+struct XdrMessage {
   std::uint16_t code;
   std::uint8_t type;
   std::uint8_t subtype;
@@ -29,8 +29,8 @@ struct MessageKind {
 };
 
 #define PLAYER_MESSAGE(interface, code, type, subtype, name, body) \
-  MessageKind{code, type, subtype, &RecodeAs<body>},
-constexpr std::array kMessages = {CCMORSE_PLAYER_MESSAGES};
+  XdrMessage{code, type, subtype, &RecodeAs<body>},
+constexpr std::array kXdrMessages = {CCMORSE_PLAYER_MESSAGES};
 #undef PLAYER_MESSAGE
 
 }  // namespace
@@ -104,7 +104,7 @@ std::string_view InterfaceName(std::uint16_t code) {
 
 std::optional<Bytes> Recode(std::uint16_t interface_code, MessageType type, std::uint8_t subtype,
                             std::span<const std::uint8_t> body) {
-  for (const MessageKind& kind : kMessages) {
+  for (const XdrMessage& kind : kXdrMessages) {
     if (kind.code == interface_code && kind.type == static_cast<std::uint8_t>(type) &&
         kind.subtype == subtype) {
       return kind.recode(body);

@@ -187,7 +187,7 @@ std::optional<Bytes> FromTextAs(std::string_view text) {
   return Encode(body);
 }
 
-struct MessageKind {
+struct TextMessage {
   std::uint16_t code;
   std::uint8_t type;
   std::uint8_t subtype;
@@ -196,31 +196,31 @@ struct MessageKind {
 };
 
 #define PLAYER_MESSAGE(interface, code, type, subtype, name, body) \
-  MessageKind{code, type, subtype, &ToTextAs<body>, &FromTextAs<body>},
-constexpr std::array kMessages = {CCMORSE_PLAYER_MESSAGES};
+  TextMessage{code, type, subtype, &ToTextAs<body>, &FromTextAs<body>},
+constexpr std::array kTextMessages = {CCMORSE_PLAYER_MESSAGES};
 #undef PLAYER_MESSAGE
 
-const MessageKind* Find(std::uint16_t interface_code, MessageType type, std::uint8_t subtype) {
+const TextMessage* Find(std::uint16_t interface_code, MessageType type, std::uint8_t subtype) {
   if (type == MessageType::kAck) type = MessageType::kRequest;
   const auto* const found =
-      std::find_if(kMessages.begin(), kMessages.end(), [&](const MessageKind& kind) {
+      std::find_if(kTextMessages.begin(), kTextMessages.end(), [&](const TextMessage& kind) {
         return kind.code == interface_code && kind.type == static_cast<std::uint8_t>(type) &&
                kind.subtype == subtype;
       });
-  return found == kMessages.end() ? nullptr : found;
+  return found == kTextMessages.end() ? nullptr : found;
 }
 
 }  // namespace
 
 std::optional<std::string> ToText(std::uint16_t interface_code, MessageType type,
                                   std::uint8_t subtype, std::span<const std::uint8_t> body) {
-  const MessageKind* const kind = Find(interface_code, type, subtype);
+  const TextMessage* const kind = Find(interface_code, type, subtype);
   return kind == nullptr ? std::nullopt : kind->to_text(body);
 }
 
 std::optional<Bytes> FromText(std::uint16_t interface_code, MessageType type, std::uint8_t subtype,
                               std::string_view text) {
-  const MessageKind* const kind = Find(interface_code, type, subtype);
+  const TextMessage* const kind = Find(interface_code, type, subtype);
   return kind == nullptr ? std::nullopt : kind->from_text(text);
 }
 

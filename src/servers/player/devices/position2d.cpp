@@ -6,6 +6,7 @@
 
 #include "base/polygon.h"
 #include "base/trig.h"
+#include "servers/player/pose2d.h"
 
 namespace ccmorse::servers::player {
 namespace {
@@ -19,10 +20,6 @@ constexpr double kGoalBearing = kPi / 16.0;  // rad, off it the robot turns on t
 constexpr double kGoalDistance = 0.02;       // m
 constexpr double kGoalAngle = kPi / 180.0;   // rad
 constexpr double kTurnGain = 4.0;            // 1/s, for the last bit of a turn
-
-bool IsFinite(const wire::Pose2d& pose) {
-  return std::isfinite(pose.px) && std::isfinite(pose.py) && std::isfinite(pose.pa);
-}
 
 double TurnTowards(double angle, double most) { return std::clamp(kTurnGain * angle, -most, most); }
 

@@ -10,7 +10,7 @@ namespace {
 
 using wire::MessageType;
 
-constexpr double kRangeStep = 0.001;             // m, the resolution that is told: a real scanner's
+constexpr double kLaserStep = 0.001;             // m, the resolution that is told: a real scanner's
 constexpr wire::Bbox3d kSize{0.07, 0.07, 0.05};  // m, of a Hokuyo (specs: syrotek.md A)
 
 const scene::LaserDef& Def(const sim::LaserScanner& scanner) { return scanner.robot().def().laser; }
@@ -85,7 +85,7 @@ bool Laser::Ask(std::uint8_t subtype, const wire::Body& body, Reply& reply) {
       config.max_angle = angles.max;
       config.resolution = angles.step;
       config.max_range = def.range;
-      config.range_res = kRangeStep;
+      config.range_res = kLaserStep;
       config.scanning_frequency = def.frequency;
       reply.Set(config);
       return body.empty();
@@ -156,7 +156,7 @@ bool ScannerRanger::Ask(std::uint8_t subtype, const wire::Body& body, Reply& rep
       config.max_angle = angles.max;
       config.angular_res = angles.step;
       config.max_range = def.range;
-      config.range_res = kRangeStep;
+      config.range_res = kLaserStep;
       config.frequency = def.frequency;
       reply.Set(config);
       return body.empty();

@@ -10,6 +10,7 @@
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "servers/player/drivers/map_reader.h"
+#include "servers/player/pose2d.h"
 
 namespace ccmorse::servers::player {
 namespace {
@@ -43,12 +44,6 @@ AmclOptions ReadOptions(const DriverOptions& options, std::uint64_t seed) {
   // Complains now of what it cannot work with, not when the map is there.
   const Amcl check(navigation::OccupancyGrid(1, 1, 1.0), amcl);
   return amcl;
-}
-
-wire::Pose2d ToWire(const Pose2& pose) { return {pose.x, pose.y, pose.yaw}; }
-
-bool IsFinite(const wire::Pose2d& pose) {
-  return std::isfinite(pose.px) && std::isfinite(pose.py) && std::isfinite(pose.pa);
 }
 
 // `pose`, given in the frame of `from`, moved along with that frame to `to`.

@@ -16,7 +16,7 @@
 namespace ccmorse::servers::player {
 namespace {
 
-struct Maker {
+struct DriverMaker {
   const char* name;
   std::unique_ptr<Driver> (*make)(const DriverDef&, const DeviceContext&, const DeviceList&);
 };
@@ -27,32 +27,32 @@ std::unique_ptr<Driver> Make(const DriverDef& def, const DeviceContext& context,
   return std::make_unique<Kind>(def, context, devices);
 }
 
-constexpr std::array kMakers = {
-    Maker{"amcl", &Make<AmclDriver>},
-    Maker{"fakelocalize", &Make<FakeLocalize>},
-    Maker{"lasertoranger", &Make<LaserToRanger>},
-    Maker{"mapfile", &Make<MapFile>},
-    Maker{"nd", &Make<NdDriver>},
-    Maker{"rangertolaser", &Make<RangerToLaser>},
-    Maker{"readlog", &Make<ReadLog>},
-    Maker{"snd", &Make<SndDriver>},
-    Maker{"vfh", &Make<VfhDriver>},
-    Maker{"wavefront", &Make<WavefrontDriver>},
-    Maker{"writelog", &Make<WriteLog>},
+constexpr std::array kDriverMakers = {
+    DriverMaker{"amcl", &Make<AmclDriver>},
+    DriverMaker{"fakelocalize", &Make<FakeLocalize>},
+    DriverMaker{"lasertoranger", &Make<LaserToRanger>},
+    DriverMaker{"mapfile", &Make<MapFile>},
+    DriverMaker{"nd", &Make<NdDriver>},
+    DriverMaker{"rangertolaser", &Make<RangerToLaser>},
+    DriverMaker{"readlog", &Make<ReadLog>},
+    DriverMaker{"snd", &Make<SndDriver>},
+    DriverMaker{"vfh", &Make<VfhDriver>},
+    DriverMaker{"wavefront", &Make<WavefrontDriver>},
+    DriverMaker{"writelog", &Make<WriteLog>},
 };
 
 }  // namespace
 
 bool IsDriver(std::string_view name) {
-  return std::any_of(kMakers.begin(), kMakers.end(),
-                     [&](const Maker& maker) { return name == maker.name; });
+  return std::any_of(kDriverMakers.begin(), kDriverMakers.end(),
+                     [&](const DriverMaker& maker) { return name == maker.name; });
 }
 
 std::unique_ptr<Driver> MakeDriver(const DriverDef& def, const DeviceContext& context,
                                    const DeviceList& devices) {
   std::vector<std::string> known;
   std::string list;
-  for (const Maker& maker : kMakers) {
+  for (const DriverMaker& maker : kDriverMakers) {
     if (def.name == maker.name) return maker.make(def, context, devices);
     known.emplace_back(maker.name);
     list += (list.empty() ? "" : ", ") + known.back();

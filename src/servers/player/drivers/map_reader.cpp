@@ -10,8 +10,8 @@ namespace {
 using navigation::Cell;
 using navigation::OccupancyGrid;
 
-constexpr std::uint32_t kTile = 640;             // cells each way, at most
-constexpr std::uint64_t kMostCells = 1U << 28U;  // what a grid may have
+constexpr std::uint32_t kTile = 640;                // cells each way, at most
+constexpr std::uint64_t kMostMapCells = 1U << 28U;  // what a grid may have
 
 }  // namespace
 
@@ -19,8 +19,9 @@ std::optional<OccupancyGrid> ReadMap(Device& map) {
   Reply info_reply;
   wire::MapInfo info;
   if (!map.Request(wire::kMapReqGetInfo, {}, info_reply) || !info_reply.body().To(info) ||
-      info.width == 0 || info.height == 0 || std::uint64_t{info.width} * info.height > kMostCells ||
-      !(info.scale > 0.0) || info.origin.pa != 0.0) {
+      info.width == 0 || info.height == 0 ||
+      std::uint64_t{info.width} * info.height > kMostMapCells || !(info.scale > 0.0) ||
+      info.origin.pa != 0.0) {
     return std::nullopt;
   }
   OccupancyGrid grid(static_cast<int>(info.width), static_cast<int>(info.height), info.scale,

@@ -7,6 +7,7 @@
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "servers/player/drivers/map_reader.h"
+#include "servers/player/pose2d.h"
 
 namespace ccmorse::servers::player {
 namespace {
@@ -20,7 +21,7 @@ using wire::MessageType;
 constexpr double kMoved = 0.02;           // m
 constexpr double kTurned = Radians(3.0);  // rad
 
-WavefrontOptions ReadOptions(const DriverOptions& options) {
+WavefrontOptions ReadWavefront(const DriverOptions& options) {
   WavefrontOptions wavefront;
   const auto length = [&](const char* name, double& to) { to = options.Length(name, to); };
   length("safety_dist", wavefront.safety_dist);
@@ -45,16 +46,13 @@ double ReadRate(const DriverOptions& options) {
   return rate;
 }
 
-Pose2 ToPose(const wire::Pose2d& pose) { return {pose.px, pose.py, pose.pa}; }
-wire::Pose2d ToWire(const Pose2& pose) { return {pose.x, pose.y, pose.yaw}; }
-
 }  // namespace
 
 WavefrontDriver::WavefrontDriver(const DriverDef& def, const DeviceContext& context,
                                  const DeviceList& devices)
     : Driver(def, devices),
       context_(context),
-      options_(ReadOptions(def.options)),
+      options_(ReadWavefront(def.options)),
       refresh_map_(def.options.Flag("force_map_refresh", false)),
       rate_(ReadRate(def.options)),
       output_(Require(wire::kPosition2d, "output")),

@@ -7,7 +7,7 @@
 
 namespace {
 
-constexpr double TURN = 2 * 3.14159265358979323846;
+constexpr double FULL_TURN = 2 * 3.14159265358979323846;
 
 // How different two scans are when beam i of the one is compared with i + shift of the other, with
 // the beams between two taken on the line between them: the mean absolute difference, m.
@@ -41,14 +41,14 @@ double ahead(const imr::SScan& scan) {
 }  // namespace
 
 void CReckoning::advance(const imr::SPose& last, const imr::SPose& now) {
-  const double turn = turnFactor * std::remainder(now.yaw - last.yaw, TURN);
+  const double turn = turnFactor * std::remainder(now.yaw - last.yaw, FULL_TURN);
   // Forward in the odometry's frame is the chord's direction there.
-  const double middle = last.yaw + std::remainder(now.yaw - last.yaw, TURN) / 2;
+  const double middle = last.yaw + std::remainder(now.yaw - last.yaw, FULL_TURN) / 2;
   const double way =
       wayFactor * ((now.x - last.x) * std::cos(middle) + (now.y - last.y) * std::sin(middle));
   pose.x += way * std::cos(pose.yaw + turn / 2);
   pose.y += way * std::sin(pose.yaw + turn / 2);
-  pose.yaw = std::remainder(pose.yaw + turn, TURN);
+  pose.yaw = std::remainder(pose.yaw + turn, FULL_TURN);
 }
 
 void CReckoning::calibrateTurn(const imr::SScan& before, const imr::SScan& after, double counted) {
@@ -57,9 +57,9 @@ void CReckoning::calibrateTurn(const imr::SScan& before, const imr::SScan& after
   for (double shift = -100.0; shift <= 100.0; shift += 0.1) {
     if (difference(before, after, -shift) < difference(before, after, -best)) best = shift;
   }
-  const double turned = TURN + best * before.resolution;
+  const double turned = FULL_TURN + best * before.resolution;
   // What has been turned already counts with the factor, too.
-  pose.yaw = std::remainder(pose.yaw + turned - turnFactor * counted, TURN);
+  pose.yaw = std::remainder(pose.yaw + turned - turnFactor * counted, FULL_TURN);
   turnFactor = turned / counted;
 }
 
