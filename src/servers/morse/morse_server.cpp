@@ -74,7 +74,8 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
         pace(pace_in),
         options(options_in),
         directory(directory_in),
-        sender(io_in, pace_in.name == "realtime") {}
+        sender(io_in, false),
+        late_sender(io_in, pace_in.name == "realtime") {}
 
   // The tick at whose Sense() the n-th read of a connection is answered.
   std::uint64_t ReadTick(std::uint64_t n) const {
@@ -92,7 +93,9 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
 
   // Answers what is due. Connections may come to their end by it.
   void TellConnections();
-  std::size_t stream_clients() const { return sender.readers() + stream_writers; }
+  std::size_t stream_clients() const {
+    return sender.readers() + late_sender.readers() + stream_writers;
+  }
 
   // Has the lines sent that streams have kept back, now or a little later.
   void SendStreams();
@@ -110,6 +113,7 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
   std::vector<std::shared_ptr<Stream>> streams;
   std::unordered_map<const sim::Component*, Stream*> stream_of;
   StreamSender sender;             // to the clients of sensors
+  StreamSender late_sender;        // to those of sensors with long lines
   std::size_t stream_writers = 0;  // clients of actuators
   asio::steady_timer stream_timer{io};
   bool streams_wait = false;   // lines of the last Sense() have not been sent yet
@@ -664,10 +668,13 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
   int port() const { return listener_->port(); }
   const sim::Component& component() const { return component_; }
 
+  // Are its lines so long that the run does not wait for them?
+  bool late() const { return late_text_ != nullptr; }
+
   // The sensor has new data for its clients.
   void Publish() {
     if (sensor_ == nullptr || !Wanted()) return;
-    if (late_text_ != nullptr) {
+    if (late()) {
       text_ = late_text_->TextLater();
     } else {
       text_ = [text = sensor_->LocalData()] { return text; };
@@ -725,7 +732,10 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
       return;
     }
     ++shared_.arrivals;
-    if (actuator_ == nullptr) return AddReader(shared_.sender.Take(std::move(socket)));
+    if (actuator_ == nullptr) {
+      StreamSender& sender = late() ? shared_.late_sender : shared_.sender;
+      return AddReader(sender.Take(std::move(socket)));
+    }
     ++shared_.stream_writers;
     auto client = std::make_shared<Client>(std::move(socket), shared_.options.longest_stream_line,
                                            shared_.arrivals);
@@ -811,7 +821,9 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
 void MorseServer::Shared::SendStreams() {
   streams_wait = false;
   std::vector<StreamSender::Line> lines;
-  for (const auto& stream : streams) stream->AppendLine(lines);
+  std::vector<StreamSender::Line> late_lines;
+  for (const auto& stream : streams) stream->AppendLine(stream->late() ? late_lines : lines);
+  late_sender.Send(std::move(late_lines));
   sender.Send(std::move(lines));
 }
 
@@ -861,6 +873,7 @@ void MorseServer::Close() {
   shared_->listener->Close();
   for (const auto& stream : shared_->streams) stream->Close();
   shared_->sender.Close();
+  shared_->late_sender.Close();
   for (const auto& connection : shared_->connections) connection->Close();
   shared_->connections.clear();
   // Handlers of the closed sockets still refer to what is ours: let them run before it goes.

@@ -1,5 +1,8 @@
 #include "servers/morse/stream_sender.h"
 
+#include <pthread.h>
+#include <sched.h>
+
 #include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/dispatch.hpp>
@@ -29,7 +32,12 @@ std::shared_ptr<StreamReader> StreamSender::Take(tcp::socket socket) {
   ++readers_;
   if (own_thread_ && !thread_.joinable()) {
     work_.emplace(io_.get_executor());
-    thread_ = std::thread([this] { io_.run(); });
+    thread_ = std::thread([this] {
+      // When it is woken, it does not interrupt the run where they share a processor. May fail.
+      const sched_param priority{};
+      ::pthread_setschedparam(::pthread_self(), SCHED_BATCH, &priority);
+      io_.run();
+    });
   }
   if (own_thread_) {
     asio::post(io_, [this, reader] { Start(reader); });

@@ -41,10 +41,9 @@ class StreamReader {
   std::atomic<bool> busy_{false};  // a line is on its way
 };
 
-/// Puts the lines of sensors' streams into words and sends them. In a run by the clock it does so
-/// on a thread of its own, as a long line to many readers takes milliseconds, by which a tick would
-/// come too late; in other runs, in which nothing is late, at once. All functions are called on the
-/// run's thread.
+/// Puts the lines of sensors' streams into words and sends them: at once, or on a thread of its
+/// own, as a long line to many readers takes milliseconds, by which a tick would come too late. All
+/// functions are called on the run's thread.
 class StreamSender {
  public:
   using Readers = std::vector<std::shared_ptr<StreamReader>>;
@@ -55,7 +54,8 @@ class StreamSender {
     std::function<std::string()> text;  ///< called at most once, on the sender's thread
   };
 
-  /// `io` is the run's; where the sender has a thread of its own, it is not used.
+  /// `io` is the run's; where the sender has a thread of its own, which starts with the first
+  /// reader, it is not used.
   StreamSender(boost::asio::io_context& io, bool own_thread);
   ~StreamSender() { Close(); }
   StreamSender(const StreamSender&) = delete;
