@@ -8,6 +8,8 @@
 #include <chrono>
 #include <cmath>
 #include <deque>
+#include <functional>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <unordered_map>
@@ -15,11 +17,13 @@
 
 #include "base/log.h"
 #include "servers/fast_link/fast_link_session.h"
+#include "servers/morse/stream_sender.h"
 #include "servers/net/listener.h"
 #include "servers/net/outbox.h"
 #include "servers/net/stream_socket.h"
 #include "servers/net/waiting.h"
 #include "servers/net/warning_limit.h"
+#include "sim/late_text.h"
 #include "wire/fast_link.h"
 #include "wire/morse_line.h"
 
@@ -68,7 +72,9 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
         simulation(simulation_in),
         pace(pace_in),
         options(options_in),
-        directory(directory_in) {}
+        directory(directory_in),
+        sender(io_in, false),
+        late_sender(io_in, pace_in.name == "realtime") {}
 
   // The tick at whose Sense() the n-th read of a connection is answered.
   std::uint64_t ReadTick(std::uint64_t n) const {
@@ -86,6 +92,10 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
 
   // Answers what is due. Connections may come to their end by it.
   void TellConnections();
+  std::size_t stream_clients() const {
+    return sender.readers() + late_sender.readers() + stream_writers;
+  }
+
   // Has the lines sent that streams have kept back, now or a little later.
   void SendStreams();
   void SendStreamsLater();
@@ -101,7 +111,9 @@ struct MorseServer::Shared : std::enable_shared_from_this<MorseServer::Shared> {
   std::vector<std::shared_ptr<ServiceConnection>> told;  // scratch of TellConnections()
   std::vector<std::shared_ptr<Stream>> streams;
   std::unordered_map<const sim::Component*, Stream*> stream_of;
-  std::size_t stream_clients = 0;
+  StreamSender sender;             // to the clients of sensors
+  StreamSender late_sender;        // to those of sensors with long lines
+  std::size_t stream_writers = 0;  // clients of actuators
   asio::steady_timer stream_timer{io};
   bool streams_wait = false;   // lines of the last Sense() have not been sent yet
   bool answered_late = false;  // an asynchronous service has ended since the last Sense()
@@ -643,6 +655,7 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
       : shared_(shared),
         component_(component),
         sensor_(dynamic_cast<sim::Sensor*>(&component)),
+        late_text_(dynamic_cast<sim::LateText*>(&component)),
         actuator_(dynamic_cast<sim::Actuator*>(&component)) {}
 
   void Open(int port) {
@@ -654,32 +667,23 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
   int port() const { return listener_->port(); }
   const sim::Component& component() const { return component_; }
 
+  // Are its lines so long that the run does not wait for them?
+  bool late() const { return late_text_ != nullptr; }
+
   // The sensor has new data for its clients.
   void Publish() {
-    if (sensor_ == nullptr) return;
-    // Where nobody takes it, nothing is put into words.
-    const bool taken = std::any_of(clients_.begin(), clients_.end(),
-                                   [](const auto& client) { return !client->outbox.busy(); });
-    if (!taken) return;
-    line_ = sensor_->LocalData();
-    line_ += '\n';
+    if (sensor_ == nullptr || !Wanted()) return;
+    if (late()) {
+      text_ = late_text_->TextLater();
+    } else {
+      text_ = [text = sensor_->LocalData()] { return text; };
+    }
+    shared_.directory.sample_use().Count(*sensor_);
   }
 
-  // Sends what was published and not sent yet.
-  void Send() {
-    if (line_.empty()) return;
-    bool sent = false;
-    for (const auto& client : std::vector(clients_.begin(), clients_.end())) {
-      // A slow reader misses lines; it never holds up the simulation (specs: morse.md A.3).
-      if (client->outbox.busy()) continue;
-      client->outbox.text() += line_;
-      client->outbox.Flush(client, [this, client](ErrorCode error) {
-        if (error) Drop(client);
-      });
-      sent = true;
-    }
-    line_.clear();
-    if (sent) shared_.directory.sample_use().Count(*sensor_);
+  // Adds what was published and not sent yet.
+  void AppendLine(std::vector<StreamSender::Line>& lines) {
+    if (text_) lines.push_back({readers_, std::exchange(text_, nullptr)});
   }
 
   void Apply() {
@@ -697,6 +701,7 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
     }
   }
 
+  // The clients of a sensor are closed by the sender.
   void Close() {
     listener_->Close();
     for (const auto& client : clients_) {
@@ -707,12 +712,12 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
   }
 
  private:
+  // Of an actuator.
   struct Client {
     Client(StreamSocket socket_in, std::size_t longest, std::uint64_t arrival_in)
-        : socket(std::move(socket_in)), outbox(socket), lines(longest), number(arrival_in) {}
+        : socket(std::move(socket_in)), lines(longest), number(arrival_in) {}
     std::uint64_t arrival() const { return number; }
     StreamSocket socket;
-    Outbox outbox;
     wire::LineSplitter lines;
     std::array<char, 4096> block{};
     std::uint64_t number;  // among the arrivals
@@ -720,26 +725,56 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
   };
 
   void Take(tcp::socket socket) {
-    if (shared_.stream_clients >= shared_.options.most_stream_clients) {
+    if (shared_.stream_clients() >= shared_.options.most_stream_clients) {
       shared_.warnings.Warn("{}: more than {} stream connections, one was refused",
                             component_.full_name(), shared_.options.most_stream_clients);
       return;
     }
-    ++shared_.stream_clients;
+    ++shared_.arrivals;
+    if (actuator_ == nullptr) {
+      StreamSender& sender = late() ? shared_.late_sender : shared_.sender;
+      return AddReader(sender.Take(std::move(socket)));
+    }
+    ++shared_.stream_writers;
     auto client = std::make_shared<Client>(std::move(socket), shared_.options.longest_stream_line,
-                                           ++shared_.arrivals);
+                                           shared_.arrivals);
     clients_.insert(client);
     Read(client);
   }
 
-  // What a client writes to a sensor's port is read and forgotten; so we notice when it leaves.
+  // The sender may be at work for the list that is.
+  void AddReader(std::shared_ptr<StreamReader> reader) {
+    auto readers = Connected();
+    readers.push_back(std::move(reader));
+    readers_ = std::make_shared<const StreamSender::Readers>(std::move(readers));
+  }
+
+  StreamSender::Readers Connected() const {
+    StreamSender::Readers connected;
+    std::copy_if(readers_->begin(), readers_->end(), std::back_inserter(connected),
+                 [](const auto& reader) { return reader->connected(); });
+    return connected;
+  }
+
+  // Would anybody take a line?
+  bool Wanted() {
+    bool wanted = false;
+    bool all_there = true;
+    for (const auto& reader : *readers_) {
+      wanted = wanted || reader->ready();
+      all_there = all_there && reader->connected();
+    }
+    if (!all_there) readers_ = std::make_shared<const StreamSender::Readers>(Connected());
+    return wanted;
+  }
+
   void Read(const std::shared_ptr<Client>& client) {
     client->socket.async_read_some(
         asio::buffer(client->block),
         [self = shared_from_this(), client](ErrorCode error, std::size_t size) {
           if (self->shared_.closed) return;
           if (error) return self->Drop(client);
-          if (self->actuator_ != nullptr) self->TakeBytes(*client, size);
+          self->TakeBytes(*client, size);
           self->Read(client);
         });
   }
@@ -764,7 +799,7 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
 
   void Drop(const std::shared_ptr<Client>& client) {
     if (clients_.erase(client) == 0) return;
-    --shared_.stream_clients;
+    --shared_.stream_writers;
     ErrorCode ignored;
     client->socket.close(ignored);
   }
@@ -772,16 +807,23 @@ class MorseServer::Stream : public std::enable_shared_from_this<MorseServer::Str
   Shared& shared_;
   sim::Component& component_;
   sim::Sensor* sensor_;
+  sim::LateText* late_text_;  // nullptr: its text is short
   sim::Actuator* actuator_;
   std::shared_ptr<Listener> listener_;
   WarningLimit warnings_;
-  std::set<std::shared_ptr<Client>, Earlier> clients_;
-  std::string line_;  // to be sent
+  std::set<std::shared_ptr<Client>, Earlier> clients_;  // of an actuator
+  std::shared_ptr<const StreamSender::Readers> readers_ =
+      std::make_shared<const StreamSender::Readers>();  // of a sensor, in the order they came
+  std::function<std::string()> text_;                   // of the line to be sent; or none
 };
 
 void MorseServer::Shared::SendStreams() {
   streams_wait = false;
-  for (const auto& stream : streams) stream->Send();
+  std::vector<StreamSender::Line> lines;
+  std::vector<StreamSender::Line> late_lines;
+  for (const auto& stream : streams) stream->AppendLine(stream->late() ? late_lines : lines);
+  late_sender.Send(std::move(late_lines));
+  sender.Send(std::move(lines));
 }
 
 // A client that has slept until now asks for a sensor's next line, and means that of this tick
@@ -829,6 +871,8 @@ void MorseServer::Close() {
   shared_->stream_timer.cancel();
   shared_->listener->Close();
   for (const auto& stream : shared_->streams) stream->Close();
+  shared_->sender.Close();
+  shared_->late_sender.Close();
   for (const auto& connection : shared_->connections) connection->Close();
   shared_->connections.clear();
   // Handlers of the closed sockets still refer to what is ours: let them run before it goes.
@@ -903,7 +947,7 @@ bool MorseServer::AwaitsNext() const {
 }
 
 bool MorseServer::HasClients() const {
-  return !shared_->connections.empty() || shared_->stream_clients > 0;
+  return !shared_->connections.empty() || shared_->stream_clients() > 0;
 }
 
 void MorseServer::EndReads(const std::string& reason) {

@@ -9,6 +9,35 @@
 #include "sim/world.h"
 
 namespace ccmorse::sim {
+namespace {
+
+constexpr std::size_t kBytesPerBeam = 72;  // of text, about
+
+// `direction(i)`: where beam i points to.
+template <typename Direction>
+void AppendScan(std::string& out, const std::vector<double>& ranges, double range,
+                const Direction& direction) {
+  out += ", \"point_list\": [";
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    out += i == 0 ? "[" : ", [";
+    const bool hit = ranges[i] < range;
+    const Vec3 point = hit ? ranges[i] * direction(i) : Vec3{};
+    AppendJson(out, point.x);
+    out += ", ";
+    AppendJson(out, point.y);
+    out += ", ";
+    AppendJson(out, point.z);
+    out += ']';
+  }
+  out += "], \"range_list\": [";
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (i > 0) out += ", ";
+    AppendJson(out, ranges[i]);
+  }
+  out += ']';
+}
+
+}  // namespace
 
 LaserScanner::LaserScanner(Robot& robot, const std::string& name, const scene::LaserDef& def,
                            const World& world, std::uint64_t seed)
@@ -36,6 +65,7 @@ void LaserScanner::Mounted() {
 void LaserScanner::LetMove() {
   moves_ = true;
   fan_.Untie();
+  point_directions_.reset();
 }
 
 void LaserScanner::Mirror(Arguments arguments) {
@@ -108,24 +138,26 @@ void LaserScanner::AppendNumbers(std::vector<double>& out) const {
 }
 
 void LaserScanner::AppendFields(std::string& out) const {
-  out += ", \"point_list\": [";
-  for (std::size_t i = 0; i < ranges_.size(); ++i) {
-    out += i == 0 ? "[" : ", [";
-    const bool hit = ranges_[i] < def_.range;
-    const Vec3 point = hit ? ranges_[i] * PointDirection(i) : Vec3{};
-    AppendJson(out, point.x);
-    out += ", ";
-    AppendJson(out, point.y);
-    out += ", ";
-    AppendJson(out, point.z);
-    out += ']';
+  AppendScan(out, ranges_, def_.range, [this](std::size_t i) { return PointDirection(i); });
+}
+
+std::function<std::string()> LaserScanner::TextLater() {
+  if (point_directions_ == nullptr) {
+    std::vector<Vec3> directions;
+    directions.reserve(ranges_.size());
+    for (std::size_t i = 0; i < ranges_.size(); ++i) directions.push_back(PointDirection(i));
+    point_directions_ = std::make_shared<const std::vector<Vec3>>(std::move(directions));
   }
-  out += "], \"range_list\": [";
-  for (std::size_t i = 0; i < ranges_.size(); ++i) {
-    if (i > 0) out += ", ";
-    AppendJson(out, ranges_[i]);
-  }
-  out += ']';
+  return
+      [time = timestamp(), range = def_.range, ranges = ranges_, directions = point_directions_] {
+        std::string text;
+        text.reserve(kBytesPerBeam * ranges.size());
+        text += "{\"timestamp\": ";
+        AppendJson(text, time);
+        AppendScan(text, ranges, range, [&](std::size_t i) { return (*directions)[i]; });
+        text += '}';
+        return text;
+      };
 }
 
 }  // namespace ccmorse::sim

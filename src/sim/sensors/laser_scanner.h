@@ -1,9 +1,13 @@
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "scene/scenario.h"
 #include "sim/component.h"
+#include "sim/late_text.h"
 #include "sim/noise.h"
 #include "sim/rays/beam_fan.h"
 
@@ -17,7 +21,7 @@ class World;
 /// layer by layer from the top, from the right-most beam counter-clockwise. The ranges of
 /// hits are noisy if the scenario says so. It does not see the robot that carries it.
 /// Service `mirror`: from now on it shows the ranges it is given instead of looking (thesis 5.1).
-class LaserScanner : public Sensor {
+class LaserScanner : public Sensor, public LateText {
  public:
   LaserScanner(Robot& robot, const std::string& name, const scene::LaserDef& def,
                const World& world, std::uint64_t seed);
@@ -27,6 +31,7 @@ class LaserScanner : public Sensor {
   NumberForm number_form() const override { return NumberForm::kScan; }
   void AppendNumbers(std::vector<double>& out) const override;
   Json Configurations() const override;
+  std::function<std::string()> TextLater() override;
   Vec3 mount() const override { return is_carried() ? Sensor::mount() : def_.position; }
   Rotation mount_rotation() const override {
     return is_carried() ? Sensor::mount_rotation() : FromEuler(def_.roll, def_.pitch, def_.yaw);
@@ -61,6 +66,8 @@ class LaserScanner : public Sensor {
   Noise noise_;
   std::vector<double> ranges_;
   std::vector<double> mirrored_;  // what to show instead; empty: look
+  // PointDirection() of all beams, for TextLater(); nullptr: not asked for yet.
+  std::shared_ptr<const std::vector<Vec3>> point_directions_;
 };
 
 }  // namespace ccmorse::sim
