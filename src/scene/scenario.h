@@ -259,8 +259,8 @@ const std::vector<std::string>& ModifierTypes();
 /// A user's class of Python that offers the services of a component in another form, under a name
 /// of its own: MORSE's add_overlay() (specs: morse.md C.8; docs/components.md).
 struct OverlayDef {
-  std::string code;               ///< "package.module.Class"
-  std::vector<std::string> path;  ///< folders where Python looks for it first
+  std::string code;                      ///< "package.module.Class"
+  std::vector<std::string> path;         ///< folders where Python looks for it first
   Json settings = Json(Json::Object{});  ///< arguments of its constructor by name, an object
   std::vector<OwnServiceDef> services;
 };
@@ -359,7 +359,8 @@ struct RobotDef {
   /// MORSE's properties of it, by name, an object: some sensors of others look for them.
   Json properties = Json(Json::Object{});
   bool services = false;  ///< answers on the service port itself (MORSE's add_service of a robot)
-  /// Of RobotSkills(): what it does itself when its services are asked for it (specs: morse.md B.4).
+  /// Of RobotSkills(): what it does itself when its services are asked for it (specs: morse.md
+  /// B.4).
   std::vector<std::string> skills;
 };
 

@@ -24,12 +24,14 @@ SearchAndRescue::SearchAndRescue(Robot& robot, const std::string& name, World& w
   AddProperty("Angle", angle_, 0.0, 360.0);
   AddProperty("Distance", distance_, 0.0, 1e6);
   AddProperty("Freq", look_rate_, 1e-3, 1e6);
-  AddQuery({"get_robot_abilities", {}, [this](Arguments) { return ListOf(NumbersOf(abilities_)); }});
+  AddQuery(
+      {"get_robot_abilities", {}, [this](Arguments) { return ListOf(NumbersOf(abilities_)); }});
   AddQuery({"get_victim_requirements", {}, [this](Arguments) {
               return ListOf(RequirementsOf(*Nearest().object));
             }});
-  AddQuery(
-      {"get_victim_severity", {}, [this](Arguments) { return Json(SeverityOf(*Nearest().object)); }});
+  AddQuery({"get_victim_severity", {}, [this](Arguments) {
+              return Json(SeverityOf(*Nearest().object));
+            }});
   AddService(
       {"heal", {}, nullptr, [this](Arguments, Completion done) { StartHealing(std::move(done)); }});
 }
