@@ -659,6 +659,23 @@ OwnDef ReadOwn(const Field& field) {
   return own;
 }
 
+OverlayDef ReadOverlay(const Field& field) {
+  ObjectReader reader(field);
+  OverlayDef overlay;
+  overlay.code = reader.Require("code").Text();
+  if (reader.Has("path")) {
+    for (const Field& item : reader.Require("path").Items()) overlay.path.push_back(item.Text());
+  }
+  if (reader.Has("settings")) overlay.settings = ReadProperties(reader.Require("settings"));
+  if (reader.Has("services")) {
+    for (const Field& item : reader.Require("services").Items()) {
+      overlay.services.push_back(ReadOwnService(item));
+    }
+  }
+  reader.Finish();
+  return overlay;
+}
+
 ModifierDef ReadModifier(const Field& field) {
   ObjectReader reader(field);
   ModifierDef modifier;
@@ -717,6 +734,11 @@ ComponentDef ReadComponent(const Field& field) {
   if (reader.Has("modifiers")) {
     for (const Field& modifier : reader.Require("modifiers").Items()) {
       component.modifiers.push_back(ReadModifier(modifier));
+    }
+  }
+  if (reader.Has("overlays")) {
+    for (const Field& overlay : reader.Require("overlays").Items()) {
+      component.overlays.push_back(ReadOverlay(overlay));
     }
   }
   reader.Finish();
@@ -936,6 +958,11 @@ RobotDef ReadRobot(const Field& field, std::size_t number) {
   if (reader.Has("odometry")) robot.odometry = ReadOdometry(reader.Require("odometry"));
   if (reader.Has("properties")) robot.properties = ReadProperties(reader.Require("properties"));
   robot.services = reader.Bool("services", robot.services);
+  if (reader.Has("skills")) {
+    for (const Field& item : reader.Require("skills").Items()) {
+      robot.skills.push_back(item.Choice(RobotSkills()));
+    }
+  }
   CheckRings(reader, robot);
   if (!own) CheckModule(reader, robot);
   reader.Finish();
@@ -1300,9 +1327,9 @@ Json BodyToJson(const BodyDef& body) {
   return object;
 }
 
-Json OwnToJson(const OwnDef& own) {
+Json ServicesToJson(const std::vector<OwnServiceDef>& defs) {
   Json::Array services;
-  for (const OwnServiceDef& service : own.services) {
+  for (const OwnServiceDef& service : defs) {
     Json::Array parameters;
     for (const OwnServiceDef::Parameter& parameter : service.parameters) {
       parameters.push_back(
@@ -1312,16 +1339,28 @@ Json OwnToJson(const OwnDef& own) {
                                     {"parameters", std::move(parameters)},
                                     {"asynchronous", service.asynchronous}});
   }
+  return Json(std::move(services));
+}
+
+void AddTexts(Json::Object& object, const char* key, const std::vector<std::string>& texts) {
+  if (!texts.empty()) object.emplace_back(key, Json::Array(texts.begin(), texts.end()));
+}
+
+Json OwnToJson(const OwnDef& own) {
   Json::Object object = {{"language", own.language}, {"kind", own.kind}, {"code", own.code}};
-  if (!own.path.empty()) {
-    Json::Array path;
-    for (const std::string& folder : own.path) path.emplace_back(folder);
-    object.emplace_back("path", std::move(path));
-  }
+  AddTexts(object, "path", own.path);
   if (!own.level.empty()) object.emplace_back("level", own.level);
   object.emplace_back("data", own.data);
   object.emplace_back("properties", own.properties);
-  object.emplace_back("services", std::move(services));
+  object.emplace_back("services", ServicesToJson(own.services));
+  return object;
+}
+
+Json OverlayToJson(const OverlayDef& overlay) {
+  Json::Object object = {{"code", overlay.code}};
+  AddTexts(object, "path", overlay.path);
+  if (!overlay.settings.AsObject().empty()) object.emplace_back("settings", overlay.settings);
+  object.emplace_back("services", ServicesToJson(overlay.services));
   return object;
 }
 
@@ -1354,6 +1393,13 @@ Json ComponentToJson(const ComponentDef& component) {
           Json::Object{{"type", modifier.type}, {"settings", modifier.settings}});
     }
     object.emplace_back("modifiers", std::move(modifiers));
+  }
+  if (!component.overlays.empty()) {
+    Json::Array overlays;
+    for (const OverlayDef& overlay : component.overlays) {
+      overlays.push_back(OverlayToJson(overlay));
+    }
+    object.emplace_back("overlays", std::move(overlays));
   }
   return object;
 }
@@ -1432,6 +1478,7 @@ Json RobotToJson(const RobotDef& robot) {
   if (robot.z != 0.0) object.emplace_back("z", robot.z);
   AddProperties(object, robot.properties);
   if (robot.services) object.emplace_back("services", true);
+  AddTexts(object, "skills", robot.skills);
   const OdometryDef& odometry = robot.odometry;
   object.emplace_back("odometry", Json::Object{{"start", PoseToJson(odometry.start)},
                                                {"error", VectorToJson(odometry.error)}});
@@ -1471,6 +1518,11 @@ std::vector<std::string> PlaceProblems(const Scenario& scenario) {
     problems.push_back(ProblemOfPlace(scenario, mesh_parts, i));
   }
   return problems;
+}
+
+const std::vector<std::string>& RobotSkills() {
+  static const std::vector<std::string> skills = {"grasp", "heal"};
+  return skills;
 }
 
 const std::vector<std::string>& ComponentTypes() {

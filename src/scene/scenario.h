@@ -256,6 +256,15 @@ struct ModifierDef {
 /// The types of modifier that the simulator has, sorted.
 const std::vector<std::string>& ModifierTypes();
 
+/// A user's class of Python that offers the services of a component in another form, under a name
+/// of its own: MORSE's add_overlay() (specs: morse.md C.8; docs/components.md).
+struct OverlayDef {
+  std::string code;                      ///< "package.module.Class"
+  std::vector<std::string> path;         ///< folders where Python looks for it first
+  Json settings = Json(Json::Object{});  ///< arguments of its constructor by name, an object
+  std::vector<OwnServiceDef> services;
+};
+
 /// One device of a robot that has others than those of its type, as a MORSE builder script mounts
 /// it (specs: morse.md C.2; docs/morse.md).
 struct ComponentDef {
@@ -274,10 +283,14 @@ struct ComponentDef {
   Json properties = Json(Json::Object{});
   std::optional<OwnDef> own;  ///< the user's code, where it is none of the simulator's types
   std::vector<ModifierDef> modifiers;  ///< in the order in which they work
+  std::vector<OverlayDef> overlays;
 };
 
 /// The types of component that the simulator has, sorted, by MORSE's names.
 const std::vector<std::string>& ComponentTypes();
+
+/// What robots may do themselves, sorted: "grasp" of MORSE's Human, "heal" of its Victim.
+const std::vector<std::string>& RobotSkills();
 
 /// MORSE's levels of realism of a type, the one as delivered first; empty where there is one only.
 std::vector<std::string> LevelsOf(const std::string& type);
@@ -346,6 +359,9 @@ struct RobotDef {
   /// MORSE's properties of it, by name, an object: some sensors of others look for them.
   Json properties = Json(Json::Object{});
   bool services = false;  ///< answers on the service port itself (MORSE's add_service of a robot)
+  /// Of RobotSkills(): what it does itself when its services are asked for it (specs: morse.md
+  /// B.4).
+  std::vector<std::string> skills;
 };
 
 /// The grid-map canvas (thesis 4.2.1).

@@ -10,17 +10,41 @@
 #include "sim/sensors/sensor_motion.h"
 
 namespace ccmorse::sim {
+namespace {
+
+// Where who has an object is; precondition: somebody has.
+Mount PlaceOfHolder(const SceneObject& object) {
+  if (object.bearer != nullptr) return {object.bearer->position(), object.bearer->rotation()};
+  const MountPlace there = PlaceOfMount(*object.holder);
+  return {there.position, there.rotation};
+}
+
+void HandOver(SceneObject& object, const Component* holder, const Robot* bearer) {
+  const Vec3 position = object.WorldPosition();
+  const Rotation rotation = object.WorldRotation();
+  object.holder = holder;
+  object.bearer = bearer;
+  object.position = position;
+  object.rotation = rotation;
+  if (!object.held()) return;
+  const Mount there = PlaceOfHolder(object);
+  object.position = RotateBack(there.rotation, position - there.position);
+  object.rotation = {RotateBack(there.rotation, rotation.x), RotateBack(there.rotation, rotation.y),
+                     RotateBack(there.rotation, rotation.z)};
+}
+
+}  // namespace
 
 Vec3 SceneObject::WorldPosition() const {
   if (robot != nullptr) return robot->position();
-  if (holder == nullptr) return position;
-  const MountPlace there = PlaceOfMount(*holder);
+  if (!held()) return position;
+  const Mount there = PlaceOfHolder(*this);
   return there.position + Rotate(there.rotation, position);
 }
 
 Rotation SceneObject::WorldRotation() const {
   if (robot != nullptr) return robot->rotation();
-  return holder == nullptr ? rotation : Combined(PlaceOfMount(*holder).rotation, rotation);
+  return held() ? Combined(PlaceOfHolder(*this).rotation, rotation) : rotation;
 }
 
 bool SceneObject::Has(std::string_view property) const {
@@ -63,21 +87,17 @@ SceneObject* SceneObjects::Find(std::string_view name) {
 }
 
 void SceneObjects::SetHolder(SceneObject& object, const Component* holder) {
-  const Vec3 position = object.WorldPosition();
-  const Rotation rotation = object.WorldRotation();
-  object.holder = holder;
-  object.position = position;
-  object.rotation = rotation;
-  if (holder == nullptr) return;
-  const MountPlace there = PlaceOfMount(*holder);
-  object.position = RotateBack(there.rotation, position - there.position);
-  object.rotation = {RotateBack(there.rotation, rotation.x), RotateBack(there.rotation, rotation.y),
-                     RotateBack(there.rotation, rotation.z)};
+  HandOver(object, holder, nullptr);
+}
+
+void SceneObjects::SetBearer(SceneObject& object, const Robot* bearer) {
+  HandOver(object, nullptr, bearer);
 }
 
 void SceneObjects::Reset() {
   for (SceneObject& object : objects_) {
     object.holder = nullptr;
+    object.bearer = nullptr;
     if (object.robot != nullptr) {
       object.properties = object.robot->def().properties;
       continue;

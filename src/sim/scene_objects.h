@@ -23,14 +23,18 @@ struct SceneObject {
   Json properties;               ///< as they are now
   scene::PropDef start;          ///< of a passive object, as the scenario has it
 
-  // Of a passive object, where it is; in the frame of its holder while it has one.
+  // Of a passive object, where it is; in the frame of who has it while anybody has.
   const Component* holder = nullptr;  ///< the gripper that has it
+  const Robot* bearer = nullptr;      ///< the robot that has it without a gripper, as a human does
   Vec3 position;                      ///< m
   Rotation rotation;
 
   /// Where it is in the world now.
   Vec3 WorldPosition() const;
   Rotation WorldRotation() const;
+
+  /// Does anybody have it?
+  bool held() const { return holder != nullptr || bearer != nullptr; }
 
   /// Has it the property, whatever its value? All robots have "Robot_Tag".
   bool Has(std::string_view property) const;
@@ -54,6 +58,8 @@ class SceneObjects {
 
   /// A passive object goes along with a gripper from now on, as it is now; nullptr: stays.
   static void SetHolder(SceneObject& object, const Component* holder);
+  /// The same for a robot.
+  static void SetBearer(SceneObject& object, const Robot* bearer);
 
   /// Places and properties as at the start, and nothing held.
   void Reset();

@@ -297,6 +297,110 @@ TEST(OwnComponents, OneThatEndsTheProcessOrCannotBeMadeIsSwitchedOff) {
   EXPECT_NE(session.Ask("robot.counter twice [2]").find("SUCCESS"), std::string::npos);
 }
 
+// Lines of a script that put an overlay of this body, own.NAME.Thing, onto the robot's pose, or
+// `on`.
+void AddOverlay(Project& project, const std::string& name, const std::string& body,
+                const std::string& on = "pose") {
+  std::ofstream(project.file(name)) << kImports << "from morse.core.overlay import MorseOverlay\n"
+                                    << "class Thing(MorseOverlay):\n"
+                                    << body;
+  project.AddLines(on + ".add_overlay('socket', 'own." + name + ".Thing')\n");
+}
+
+const char* const kBadOverlay =
+    "    def name(self): return 'bad'\n"
+    "    @service\n"
+    "    def hang(self):\n"
+    "        while True: pass\n"
+    "    @service\n"
+    "    def crash(self):\n"
+    "        ctypes.string_at(1)\n";
+
+TEST(OwnComponents, AnOverlayThatHangsOrCrashesIsSwitchedOffAndTheOthersGoOn) {
+  for (const std::string what : {"hang", "crash"}) {
+    Project project;
+    project.Add("sensor", "counter", kCounter);
+    AddOverlay(project, "bad", kBadOverlay);
+    AddOverlay(project, "good",
+               "    def name(self): return 'good'\n"
+               "    @service\n"
+               "    def x(self): return self.overlaid_object.local_data['x'] + 1.0\n"
+               "    @async_service\n"
+               "    def never(self): pass\n");
+    Session session(project.WriteScript("robot.translate(x=2.0)\n"),
+                    {"--component-timeout", "0.75"});
+    EXPECT_EQ(session.Ask("good x"), "1 SUCCESS 3.0");
+    session.client().Send("n good never\n");
+    const std::string answer = session.Ask("bad " + what);
+    // A hang ends the one only; with the process goes what all others were doing.
+    if (what == "crash") {
+      EXPECT_TRUE(answer.starts_with("n FAILED \"The code of overlay own.good.Thing")) << answer;
+      const auto next = session.client().ReadLine();
+      EXPECT_TRUE(next && next->find("1 FAILED \"overlay own.bad.Thing of robot.pose") == 0)
+          << *next;
+    } else {
+      EXPECT_TRUE(answer.starts_with("1 FAILED \"overlay own.bad.Thing of robot.pose")) << answer;
+    }
+    const auto line = session.process().WaitForLine("is switched off");
+    ASSERT_TRUE(line) << session.process().output();
+    EXPECT_NE(
+        line->find(project.file("bad") + ":" + (what == "hang" ? "11" : "14") + ": in " + what),
+        std::string::npos)
+        << *line;
+    EXPECT_NE(session.Ask("bad crash").find("was switched off"), std::string::npos);
+    EXPECT_EQ(session.Ask("good x"), "1 SUCCESS 3.0");
+    EXPECT_EQ(session.Ask("time sleep [0.1]"), "1 SUCCESS");
+    EXPECT_EQ(session.Ask("robot.counter twice [1]"), "1 SUCCESS 2");
+  }
+}
+
+TEST(OwnComponents, AnOverlayThatCannotBeMadeOrHasATakenNameIsSwitchedOff) {
+  Project project;
+  AddOverlay(project, "raises", "    def __init__(self, one):\n        raise ValueError('no')\n");
+  AddOverlay(project, "taken", "    def name(self): return 'robot.pose'\n");
+  AddOverlay(project, "words", "    def name(self): return 'two words'\n");
+  AddOverlay(project, "good", "    @service\n    def one(self): return 1\n");
+  Session session(project.WriteScript());
+  EXPECT_EQ(session.Ask("Thing one"), "1 SUCCESS 1");
+  EXPECT_EQ(session.Ask("time sleep [0.1]"), "1 SUCCESS");
+  EXPECT_TRUE(session.process().WaitForLine("in __init__: ValueError: no"))
+      << session.process().output();
+  const std::string output = session.process().output();
+  for (const std::string reason : {"its name robot.pose is taken", "its name 'two words'"}) {
+    EXPECT_NE(output.find(reason), std::string::npos) << reason << ": " << output;
+  }
+  EXPECT_NE(session.Ask("robot.pose one").find("has not been registered"), std::string::npos);
+}
+
+TEST(OwnComponents, WhatAnOverlayHasDoneIsReplayedWithoutIt) {
+  Project project;
+  project.AddLines("waypoint = Waypoint()\nrobot.append(waypoint)\n");
+  AddOverlay(project, "guide",
+             "    def name(self): return 'guide'\n"
+             "    @interruptible\n"
+             "    @async_service\n"
+             "    def walk(self, x):\n"
+             "        self.overlaid_object.goto(self.chain_callback(self.back), x, 0.0, 0.0, 0.1)\n"
+             "    def back(self, result):\n"
+             "        self.overlaid_object.setdest(0.0, 0.0, 0.0, 0.1)\n"
+             "        return result\n",
+             "waypoint");
+  const std::string record = project.folder() + "/run.mcap";
+  {
+    Session session(project.WriteScript(), {"--record", record});
+    EXPECT_TRUE(session.Ask("guide walk [0.8]").starts_with("1 SUCCESS"));
+    EXPECT_EQ(session.Ask("time sleep [0.5]"), "1 SUCCESS");
+    EXPECT_EQ(session.Get("robot.waypoint get_status"), Json("Transit"));  // on its way back
+    EXPECT_EQ(session.Ask("simulation quit"), "1 SUCCESS");
+    EXPECT_EQ(session.process().Wait(), 0) << session.process().output();
+  }
+  EXPECT_EQ(ReadFile(record).find(project.folder()), std::string::npos);
+  fs::remove_all(project.folder() + "/src");
+  const Finished replay = RunToEnd(
+      {"/usr/bin/env", "PATH=/nowhere", BuiltProgram("ccmorse"), "replay", record, "--verify"});
+  EXPECT_EQ(replay.status, 0) << replay.output;
+}
+
 TEST(OwnComponents, AServiceThatRaisesFailsAndTheComponentGoesOn) {
   Project project;
   project.Add("sensor", "counter",

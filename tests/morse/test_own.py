@@ -10,6 +10,10 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 
 from morse.core import describe  # noqa: E402
 from morse.core.host import place_of, text_of  # noqa: E402
+from morse.core.overlay import MorseOverlay, OverlaidComponent, OverlaidOwn  # noqa: E402
+from morse.core.exceptions import MorseRPCInvokationError  # noqa: E402
+from morse.core.services import async_service, interruptible, service  # noqa: E402
+from morse.core.abstractobject import AbstractObject  # noqa: E402
 from morse.core.mathutils import Euler, Matrix, Quaternion, Vector  # noqa: E402
 from morse.helpers.transformation import Transformation3d  # noqa: E402
 
@@ -124,6 +128,114 @@ class Places(unittest.TestCase):
         there = Transformation3d.of((3.0, 4.0, 12.0), (0, 0, 0))
         self.assertEqual(here.distance(there), 13.0)
         self.assertEqual(here.distance_2d(there), 5.0)
+
+
+class Asked:
+    """Stands for the simulator that an overlay's questions go to."""
+
+    def __init__(self, answers):
+        self.questions, self.answers, self.callbacks = [], list(answers), {}
+
+    def ask(self, question):
+        self.questions.append(question)
+        return self.answers.pop(0)
+
+    def keep(self, callback):
+        self.callbacks[7] = callback
+        return 7
+
+
+class Guide(MorseOverlay):
+    @interruptible
+    @async_service
+    def walk(self, x):
+        self.overlaid_object.goto(self.chain_callback(self.changed), x)
+
+    @async_service
+    def plain(self, x):
+        self.overlaid_object.goto(self.chain_callback(), x)
+
+    def changed(self, result):
+        if result[1] == "worse":
+            raise ValueError("too bad")
+        return result[0], [result[1], "changed"]
+
+
+class Overlays(unittest.TestCase):
+
+    def make(self, *answers):
+        asked = Asked(answers)
+        birth = {"name": "robot.motion", "overlay": "key", "services": {"goto": True, "stop": False}}
+        return Guide(OverlaidComponent(birth, None, asked)), asked
+
+    def test_a_service_that_answers_at_once(self):
+        guide, asked = self.make({"result": 3}, {"failed": "no"})
+        self.assertEqual(guide.name(), "Guide")
+        self.assertEqual(guide.overlaid_object.stop(1, 2), 3)
+        self.assertEqual(asked.questions, [["robot.motion", "stop", [1, 2]]])
+        with self.assertRaisesRegex(MorseRPCInvokationError, "^no$"):
+            guide.overlaid_object.stop()
+        with self.assertRaisesRegex(AttributeError, "robot.motion has no service 'fly'"):
+            guide.overlaid_object.fly()
+
+    def test_a_chained_service_ends_with_the_components(self):
+        guide, asked = self.make({"later": True}, {"later": True}, {"ended": ["SUCCESS", "now"]})
+        guide._begin(guide.walk, [2.0], 41)
+        self.assertEqual(asked.questions, [["robot.motion", "goto", [2.0], "key", 7]])
+        self.assertEqual(guide._ended, [])
+        asked.callbacks.pop(7)(("SUCCESS", 5))
+        self.assertEqual(guide._ended, [[41, "SUCCESS", [5, "changed"]]])
+        guide._ended = []
+        guide._begin(guide.walk, [2.0], 42)
+        with self.assertLogs("morse.Guide"):
+            asked.callbacks.pop(7)(("SUCCESS", "worse"))
+        self.assertEqual(guide._ended, [[42, "FAILED", "ValueError: too bad"]])
+        guide._ended = []
+        guide._begin(guide.plain, [2.0], 43)  # at once
+        self.assertEqual((guide._ended, asked.callbacks), ([[43, "SUCCESS", "now"]], {}))
+
+    def test_what_was_preempted_does_not_end_what_came_after(self):
+        guide, asked = self.make({"later": True}, {"result": None}, {"later": True})
+        guide._begin(guide.walk, [2.0], 1)
+        first = asked.callbacks.pop(7)
+        guide._begin(guide.walk, [3.0], 2)
+        self.assertEqual(asked.questions[1], ["", "interrupt", ["robot.motion"]])
+        first(("PREEMPTED", None))
+        self.assertEqual(guide._ended, [[1, "PREEMPTED", None]])
+        asked.callbacks.pop(7)(("SUCCESS", 1))
+        self.assertEqual(guide._ended[1:], [[2, "SUCCESS", [1, "changed"]]])
+
+    def test_a_start_that_fails_leaves_nothing(self):
+        guide, asked = self.make({"failed": "busy"})
+        with self.assertRaisesRegex(MorseRPCInvokationError, "busy"):
+            guide._begin(guide.plain, [1.0], 1)
+        self.assertEqual((asked.callbacks, guide.on_completion), ({}, None))
+        with self.assertRaisesRegex(TypeError, "chain_callback"):
+            guide.overlaid_object.goto(1.0)
+
+    def test_on_a_component_of_ones_own(self):
+        class Thing(AbstractObject):
+            number = 4
+
+            @service
+            def get(self, plus):
+                return self.number + plus
+
+            @interruptible
+            @async_service
+            def go(self, x):
+                self.number = x
+
+        thing = Thing()
+        overlaid = OverlaidOwn(thing, describe.services_of(Thing))
+        self.assertEqual(overlaid.get(1), 5)
+        overlaid.number = 6
+        self.assertEqual((thing.number, overlaid.number), (6, 6))
+        callback = lambda result: None  # noqa: E731
+        overlaid.go(callback, 9)
+        self.assertEqual((thing.number, thing.on_completion), (9, (callback, "go")))
+        thing.completed("SUCCESS", 1)
+        self.assertEqual(thing._ended, [[callback, "SUCCESS", 1]])
 
 
 if __name__ == "__main__":

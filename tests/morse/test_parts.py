@@ -7,6 +7,7 @@ for pymorse.
 
 import math
 import os
+import socket
 import unittest
 
 from support import environment
@@ -30,6 +31,24 @@ def both(test):
                 test(self, pace)
     run_both.__name__ = test.__name__
     return run_both
+
+
+class Wire:
+    """A client of lines."""
+
+    def __init__(self, port):
+        self.socket = socket.create_connection(("127.0.0.1", port), 30.0)
+        self.file = self.socket.makefile("r", encoding="utf-8", newline="\n")
+
+    def send(self, line):
+        self.socket.sendall(line.encode() + b"\n")
+
+    def read(self):
+        return self.file.readline().rstrip("\n")
+
+    def close(self):
+        self.file.close()
+        self.socket.close()
 
 
 def earth_from_geodetic(longitude, latitude, altitude):
@@ -281,6 +300,144 @@ class Found(unittest.TestCase):
                 down = math.radians(27.75 - 0.5 * beam)
                 self.assertAlmostEqual(ranges[beam], 2.0 / math.sin(down), delta=1e-3)
             self.assertEqual(ranges[63], 50.0)
+
+
+class Themselves(unittest.TestCase):
+    @both
+    def test_b4_a_victim_heals_itself(self, pace):
+        with Run("robots_services.py", pace=pace) as run:
+            morse = run.morse
+            self.assertEqual(sorted(morse.rpc("simulation", "list_robots")),
+                             ["casualty", "human", "robot", "silent", "victim"])
+            known = {one["name"]: one for one in morse.rpc("simulation", "details")["robots"]}
+            self.assertEqual(known["victim"]["services"],
+                             ["get_configurations", "get_properties", "heal", "set_property"])
+            self.assertNotIn("services", known["silent"])
+            morse.sleep(0.5)
+            self.assertEqual(set(read(run, "robot.rescuer")["victim_dict"]),
+                             {"victim", "casualty"})
+            self.assertIsNone(morse.rpc("victim", "heal"))
+            self.assertIsNone(morse.rpc("victim", "heal"))  # of no effect
+            morse.sleep(0.6)
+            self.assertEqual(set(read(run, "robot.rescuer")["victim_dict"]), {"casualty"})
+            now = morse.rpc("victim", "get_properties")["properties"]
+            self.assertEqual([now[name][0] for name in ("Injured", "Severity", "Requirements")],
+                             [False, 0, ""])
+            # Taken ill again, and another one worse.
+            morse.rpc("victim", "set_property", "Injured", True)
+            morse.rpc("casualty", "set_property", "Severity", 4)
+            morse.sleep(0.6)
+            seen = read(run, "robot.rescuer")["victim_dict"]
+            self.assertEqual(seen["victim"]["requirements"], [])
+            self.assertEqual(seen["casualty"]["severity"], 4)
+            for name, value in (("Severity", "bad"), ("NoGravity", True), ("Pulse", 60)):
+                with self.assertRaises(pymorse.MorseServiceFailed):
+                    morse.rpc("victim", "set_property", name, value)
+            for robot, service in (("silent", "heal"), ("human", "heal"), ("victim", "grasp")):
+                with self.assertRaisesRegex(pymorse.MorseServiceFailed, "not been registered"):
+                    morse.rpc(robot, service)
+
+    @both
+    def test_b4_a_human_grasps(self, pace):
+        with Run("robots_services.py", pace=pace) as run:
+            morse = run.morse
+            for name in ("far_cup", "victim", "nothing"):
+                with self.assertRaises(pymorse.MorseServiceFailed):
+                    morse.rpc("human", "grasp", True, name)
+            self.assertIs(morse.rpc("human", "grasp", True, "cup"), True)
+            morse.rpc("human.teleport", "translate", 3.0)
+            morse.sleep(0.3)
+            near = read(run, "human.proximity")["near_objects"]
+            self.assertAlmostEqual(near["cup"], 0.6, places=6)  # it came along
+            self.assertAlmostEqual(near["far_cup"], 5.0, places=6)
+            self.assertIs(morse.rpc("human", "grasp", False, "cup"), True)
+            morse.rpc("human.teleport", "translate", -1.0)
+            morse.sleep(0.3)
+            self.assertAlmostEqual(read(run, "human.proximity")["near_objects"]["cup"], 1.6,
+                                   places=6)
+            with self.assertRaises(pymorse.MorseServiceFailed):
+                morse.rpc("human", "grasp", True, "cup")  # out of reach now
+
+
+class Overlaid(unittest.TestCase):
+    @both
+    def test_c8_services_that_answer_at_once(self, pace):
+        with Run(os.path.join("overlays", "default.py"), pace=pace) as run:
+            morse = run.morse
+            # Of the name of its class, which it is given, which it has itself.
+            self.assertEqual(morse.rpc("Where", "in_millimetres"), 500)
+            self.assertEqual(morse.rpc("Where", "in_millimetres", "z"), 100)
+            self.assertEqual(morse.rpc("Where", "who"), ["robot.pose", "robot", 0.5, 0.1])
+            self.assertEqual(morse.rpc("eye", "look_as_far_as", 12.5), 12.5)
+            self.assertEqual(morse.rpc("guide", "where_to"), 1.0)
+            self.assertEqual(morse.rpc("clerk", "twice", 20), 42)
+            self.assertGreaterEqual(read(run, "robot.counter")["sum"], 20)
+            # The component's own services are there as before, and not the overlay's.
+            morse.rpc("robot.proximity", "set_range", 7.0)
+            for component, service in (("robot.pose", "who"), ("Where", "get_local_data"),
+                                       ("Where", "scaled")):
+                with self.assertRaisesRegex(pymorse.MorseServiceFailed, "not been registered"):
+                    morse.rpc(component, service)
+            self.assertNotIn("guide", str(morse.rpc("simulation", "details")))
+
+    @both
+    def test_c8_services_that_answer_later(self, pace):
+        with Run(os.path.join("overlays", "default.py"), pace=pace) as run:
+            morse = run.morse
+            before = morse.time()
+            self.assertEqual(morse.rpc("guide", "walk", 2.0, 0.0), "way 1")
+            # 1.8 m at 1 m/s, half of what it was told, as the script says.
+            self.assertGreater(morse.time() - before, 1.7)
+            self.assertEqual(morse.rpc("guide", "walk", 4.0, 0.0, 4.0), "way 2")
+            # A second call preempts the first, and so does one of the component's own.
+            client = Wire(run.port)
+            client.send("a guide walk [20.0, 5.0]")
+            client.send("b guide plain [20.0, 5.0]")
+            self.assertEqual(client.read(), "a PREEMPTED")
+            client.send("c robot.waypoint goto [20.0, 9.0, 0.0, 0.2, 1.0]")
+            self.assertEqual(client.read(), "b PREEMPTED")
+            client.send("d guide plain [20.0, 5.0]")
+            self.assertEqual(client.read(), "c PREEMPTED")
+            client.send("d cancel")
+            self.assertEqual(client.read(), "d PREEMPTED")
+            client.send("e guide plain [30.0, 5.0]")
+            self.assertIsNone(morse.rpc("guide", "halt"))
+            self.assertEqual(morse.rpc("robot.waypoint", "get_status"), "Stop")
+            client.send("e cancel")
+            self.assertEqual(client.read(), "e PREEMPTED")
+            # Of a component of one's own.
+            start = read(run, "robot.counter")["sum"]
+            self.assertGreaterEqual(morse.rpc("clerk", "wait_for", 30), start + 30)
+            client.send("f clerk wait_for [1000000]")
+            client.send("g robot.counter count_up [1000000]")
+            self.assertEqual(client.read(), "f PREEMPTED")
+            client.send("h clerk wait_for [1000000]")
+            self.assertEqual(client.read(), "g PREEMPTED")
+            client.send("h cancel")
+            self.assertEqual(client.read(), "h PREEMPTED")
+            client.close()
+
+    @both
+    def test_c8_what_fails_is_said(self, pace):
+        with Run(os.path.join("overlays", "default.py"), pace=pace) as run:
+            morse = run.morse
+            for request, text in ((("Where", "fly"), "robot.pose has no service 'fly'"),
+                                  (("Where", "push"), "does nothing to the world itself"),
+                                  (("Where", "in_millimetres", "q"), "KeyError"),
+                                  (("eye", "refuse"), "^not with me$"),
+                                  (("eye", "look_as_far_as", "far"), "wrong parameter type"),
+                                  (("guide", "nothing"), "has not been registered")):
+                with self.assertRaisesRegex(pymorse.MorseServiceFailed, text):
+                    morse.rpc(*request)
+            with self.assertRaises(TypeError):
+                morse.rpc("eye", "look_as_far_as", 1.0, 2.0)
+            with self.assertRaisesRegex(TypeError, "chain_callback"):
+                morse.rpc("guide", "without_a_callback")
+            # They all go on.
+            self.assertEqual(morse.rpc("eye", "look_as_far_as", 3.0), 3.0)
+            morse.rpc("clerk", "drive", 1.0)
+            morse.sleep(1.0)
+            self.assertGreater(read(run, "robot.pose")["x"], 1.2)
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@
 #include "base/json.h"
 #include "base/trig.h"
 #include "scene/magnetic_field.h"
+#include "sim/robots/robot_skills.h"
 #include "sim/sensors/geodesy.h"
 #include "sim/sensors/magnetic_field.h"
 #include "tests/sim/morse_trial.h"
@@ -612,6 +613,87 @@ TEST(MorseGripperTest, MessagesTakeAndLetGo) {
   EXPECT_EQ(cup.holder, nullptr);
   EXPECT_THROW(run.Send("hand", R"({"grab": 1})"), WrongArgument);
   EXPECT_THROW(run.Send("hand", R"({})"), WrongArgument);
+}
+
+// --- What robots do themselves
+
+// A service of the robot `name`'s own.
+Json Ask(Trial& run, const std::string& name, const std::string& service,
+         const Json::Array& arguments = {}) {
+  Simulation& simulation = run.simulation();
+  for (const Service& one : RobotSkills(*simulation.FindRobot(name), simulation.world())) {
+    if (one.name == service) return one.run(arguments);
+  }
+  throw std::runtime_error("no service " + service);
+}
+
+TEST(MorseVictimTest, HealsItself) {
+  Trial run(Scene(R"({"name": "sar", "type": "SearchAndRescue", "frequency": 60, "properties":
+                      {"Heal_range": 5.0, "Abilities": "1", "Freq": 60}})",
+                  R"({"x": 0, "y": 0})", Other("hurt", 4, 0, R"(, "skills": ["heal"], "properties":
+                      {"Injured": true, "Requirements": "1,2,3", "Severity": 10})")));
+  run.Ticks(1);
+  EXPECT_EQ(run.Shown("sar").Find("victim_dict")->AsObject().size(), 1U);
+  EXPECT_EQ(Ask(run, "hurt", "heal"), Json());
+  run.Ticks(1);
+  EXPECT_EQ(run.Shown("sar").Find("victim_dict")->Dump(), "{}");
+  const SceneObject& hurt = *run.simulation().world().objects().Find("hurt");
+  EXPECT_EQ(hurt.properties.Dump(), R"({"Injured": false, "Requirements": "", "Severity": 0})");
+  run.simulation().ResetObjects();
+  EXPECT_TRUE(hurt.Is("Injured"));
+  EXPECT_THROW(Ask(run, "robot", "heal"), std::runtime_error);  // who is no victim
+}
+
+TEST(MorseHumanTest, GraspsWhatIsWithinReachAndCarriesIt) {
+  std::string scene = Scene(R"({"name": "hand", "type": "Gripper", "position": [0.3, 0, 0.4],
+                                "properties": {"Distance": 5, "Angle": 360}},)" +
+                                kXyw,
+                            R"({"x": 0, "y": 0})", Other("other", -3, 0), R"("props": [
+      {"name": "cup", "file": "c", "position": [0.6, 0, 0.5], "properties": {"Graspable": true}},
+      {"name": "pot", "file": "c", "position": [0, 0.6, 1.5], "properties": {"Graspable": true}},
+      {"name": "far", "file": "c", "position": [1.1, 0, 0.5], "properties": {"Graspable": true}},
+      {"name": "rock", "file": "c", "position": [0.5, 0, 0.5]}],)");
+  const std::string key = R"("name": "robot",)";
+  scene.replace(scene.find(key), key.size(), key + R"( "skills": ["grasp"],)");
+  Trial run(scene);
+  const auto grasp = [&](const Json& grab, const char* name) {
+    return Ask(run, "robot", "grasp", {grab, name});
+  };
+  const auto why = [&](const char* name) -> std::string {
+    try {
+      grasp(true, name);
+    } catch (const ServiceFailed& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(why("nothing"), "Object 'nothing' does not appear in the scene.");
+  EXPECT_EQ(why("far"), "Object 'far' is out of reach");
+  EXPECT_EQ(why("rock"), "Object 'rock' is not graspable");
+  EXPECT_EQ(why("other"), "Object 'other' is not graspable");
+  EXPECT_THROW(grasp(1, "cup"), WrongArgument);
+  EXPECT_EQ(grasp(false, "cup"), Json(false));
+  EXPECT_EQ(grasp(true, "cup"), Json(true));
+  EXPECT_EQ(grasp("true", "cup"), Json(false));
+  EXPECT_EQ(why("pot"), "robot holds 'cup' already");
+  run.Send("motion", R"({"x": 0, "y": 0, "w": 1.5707963267948966})");
+  run.Ticks(60);
+  run.Send("motion", R"({"x": 1, "y": 0, "w": 0})");
+  run.Ticks(60);
+  const SceneObject& cup = *run.simulation().world().objects().Find("cup");
+  EXPECT_NEAR(cup.WorldPosition().x, 0.0, 1e-9);
+  EXPECT_NEAR(cup.WorldPosition().y, 1.6, 1e-9);
+  EXPECT_NEAR(cup.WorldPosition().z, 0.5, 1e-12);
+  EXPECT_NEAR(ToEuler(cup.WorldRotation()).z, kPi / 2.0, 1e-9);
+  EXPECT_EQ(grasp("false", "cup"), Json(true));
+  run.Ticks(60);
+  EXPECT_NEAR(cup.WorldPosition().y, 1.6, 1e-9);  // it stayed
+  // What one has no other takes.
+  EXPECT_EQ(grasp(true, "cup"), Json(true));
+  EXPECT_NE(run.Call("hand", "grab"), Json("cup"));
+  run.simulation().ResetObjects();
+  EXPECT_EQ(run.Call("hand", "grab"), Json("cup"));
+  EXPECT_EQ(why("cup"), "Object 'cup' is held by another");
 }
 
 // --- What is found

@@ -273,9 +273,11 @@ class AbstractComponent:
                                "place": places.user_place()})
 
     def add_overlay(self, datastream, overlay, config=None, **kwargs):
-        """Offers its services in another form."""
-        self.overlays.append({"middleware": datastream, "classpath": overlay, "settings": kwargs})
-        places.note("overlays are not simulated: %s has its own services only" % self.name)
+        """Offers its services in another form, by a class "package.module.Class" of the user's."""
+        if datastream != "socket":
+            places.note("overlays of %s are not simulated, those of 'socket' are" % datastream)
+        self.overlays.append({"middleware": datastream, "classpath": overlay, "settings": kwargs,
+                              "place": places.user_place()})
 
     def mark_unexportable(self):
         self._exportable = False

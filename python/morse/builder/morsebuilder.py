@@ -85,6 +85,8 @@ class Component(AbstractComponent):
 class Robot(Component):
     """A robot: a body that components are appended to."""
 
+    skills = ()  # services of its own that the simulator has
+
     def __init__(self, filename="", name=None):
         super().__init__("robots", filename)
         self.default_interfaces = []

@@ -6,6 +6,7 @@ import os
 from morse.builder import data, places
 from morse.core import describe
 from morse.core.actuator import Actuator
+from morse.core.overlay import MorseOverlay
 from morse.core.sensor import Sensor
 
 
@@ -50,3 +51,21 @@ def code_of(component, full):
     outer = describe.source_folder(describe.load(classpath))
     code.update(kind=kind, path=folders + [outer] * (outer not in folders))
     return code
+
+
+def overlays_of(component, full):
+    """What a scenario says of the component's overlays; raises what imports of their modules do."""
+    found = []
+    for overlay in component.overlays:
+        if overlay["middleware"] != "socket":
+            continue  # the script has been told
+        classpath = overlay["classpath"]
+        if not _exists(classpath):
+            places.note("%s: there is no module of the overlay %s" % (full, classpath),
+                        overlay["place"])
+            continue
+        cls, entry = describe.describe_overlay(classpath, overlay["settings"])
+        if not issubclass(cls, MorseOverlay):
+            raise TypeError("%s must derive from morse.core.overlay.MorseOverlay" % classpath)
+        found.append(dict(entry, path=[describe.source_folder(cls)]))
+    return found

@@ -191,6 +191,8 @@ def _robot(robot, names):
     result["components"] = components
     if "socket" in robot.services:
         result["services"] = True
+        if robot.skills:
+            result["skills"] = list(robot.skills)
     if "body" in result and any(one["type"] in _SIDEWAYS or
                                 one.get("own", {}).get("kind") == "actuator"
                                 for one in components):
@@ -389,7 +391,8 @@ def _component(component, robot, name, frame):
     label = type(component).__name__
     code = own.code_of(component, full)
     if code is not None:
-        return _own_component(component, full, name, frame, code)
+        made = _own_component(component, full, name, frame, code)
+        return _with_overlays(made, component, full)
     kind = simulated_type(component)
     if kind is None:
         if isinstance(component, Mesh):
@@ -431,6 +434,13 @@ def _component(component, robot, name, frame):
                  if made is not None]
     if modifiers:
         result["modifiers"] = modifiers
+    return _with_overlays(result, component, full)
+
+
+def _with_overlays(result, component, full):
+    overlays = own.overlays_of(component, full)
+    if overlays:
+        result["overlays"] = overlays
     return result
 
 
@@ -648,7 +658,9 @@ def _described(item):
         "rotation": list(item.rotation_euler), "scale": list(item.scale),
         "properties": bpymorse.get_properties(item._bpy_object), "frequency": item.rate,
         "level": item.chosen_level, "streams": item.streams, "services": item.services,
-        "modifiers": item.modifiers, "overlays": item.overlays, "color": item.paint,
+        "modifiers": item.modifiers, "color": item.paint,
+        "overlays": [{key: value for key, value in overlay.items() if key != "place"}
+                     for overlay in item.overlays],
         "physics": {"type": game.physics_type, "mass": game.mass}}
     if isinstance(item, Robot):
         result["friction"] = item.friction

@@ -79,6 +79,12 @@ def _parameters(method):
                             inspect.Parameter.POSITIONAL_OR_KEYWORD)]
 
 
+def _list_of_services(cls):
+    return [{"name": name, "parameters": _parameters(method),
+             "asynchronous": method._morse_asynchronous}
+            for name, method in sorted(services_of(cls).items())]
+
+
 def describe(classpath, level=""):
     """What a scenario says of the component: its `own`, without kind and path."""
     cls, level = level_class(load(classpath), level)
@@ -87,9 +93,14 @@ def describe(classpath, level=""):
         "data": {name: _plain(value) for name, value, *_ in fields_of(cls, level)},
         "properties": {name: _plain(value) for _, value, name, *_ in properties_of(cls)
                        if isinstance(value, (bool, int, float, str))},
-        "services": [{"name": name, "parameters": _parameters(method),
-                      "asynchronous": method._morse_asynchronous}
-                     for name, method in sorted(services_of(cls).items())]}
+        "services": _list_of_services(cls)}
+
+
+def describe_overlay(classpath, settings):
+    """The class of an overlay, and what a scenario says of it, without its path."""
+    cls = load(classpath)
+    return cls, {"code": cls.__module__ + "." + cls.__qualname__, "settings": _plain(settings),
+                 "services": _list_of_services(cls)}
 
 
 def source_folder(cls):

@@ -79,8 +79,22 @@ class State:
         self.line = line
         self.time = 0.0
         self.poses = {}
-        self.deeds = []
+        self.deeds = []  # None: what runs does none
+        self.callbacks = {}  # number -> what is called when another component's service ends
+        self._numbers = 0
         self.live = False  # the simulation runs, and may be asked
+
+    def add(self, what):
+        """Something to be done to the world."""
+        if self.deeds is None:
+            raise RuntimeError("an overlay of the simulator's own component does nothing to the "
+                               "world itself; call services")
+        self.deeds.append(what)
+
+    def keep(self, callback):
+        self._numbers += 1
+        self.callbacks[self._numbers] = callback
+        return self._numbers
 
     def ask(self, question):
         if not self.live:
@@ -118,18 +132,18 @@ class Canvas:
 
     def set_pixel(self, x, y, color, alpha=1.0):
         """Draws a cell: red, green, blue of 0..255; alpha 0..1."""
-        self._state.deeds.append(deed("pixel", x, y, *color[:3], alpha))
+        self._state.add(deed("pixel", x, y, *color[:3], alpha))
 
     def draw_line(self, x0, y0, x1, y1, color, alpha=1.0):
         """Draws the cells of a straight line, both ends included."""
-        self._state.deeds.append(deed("line", x0, y0, x1, y1, *color[:3], alpha))
+        self._state.add(deed("line", x0, y0, x1, y1, *color[:3], alpha))
 
     def clear(self):
-        self._state.deeds.append(deed("clear"))
+        self._state.add(deed("clear"))
 
     def resize(self, width, height):
         """A new resolution, 1..4096 cells each way; the canvas is clear then."""
-        self._state.deeds.append(deed("resize", width, height))
+        self._state.add(deed("resize", width, height))
         self.width, self.height = width, height
 
     def get_pixel(self, x, y):
@@ -167,7 +181,7 @@ class RobotBody(Body):
         return self.pose[:3]
 
     def do(self, *words):
-        self._state.deeds.append(deed(*words))
+        self._state.add(deed(*words))
 
     def __getitem__(self, name):
         return self.facts["properties"][name]
@@ -257,6 +271,8 @@ class Host:
         self.line = line
         self.state = State(line)
         self.components = {}
+        self.overlays = {}
+        self.overlaid = {}  # key of an overlay -> the name of a component that runs here, too
         self.sent = {}  # name -> local_data as the simulator knows them, as text
         scene = line.read()
         if scene is None:
@@ -268,12 +284,14 @@ class Host:
         self.canvas = Canvas(self.state, scene["canvas"], scene["world"])
         self.robots = {name: Robot(RobotBody(name, self.state, facts))
                        for name, facts in scene["robots"].items()}
-        for birth in scene["components"]:
+        for birth in scene["components"] + scene["overlays"]:
             for folder in reversed(birth["path"]):
                 if folder not in sys.path:
                     sys.path.insert(0, folder)
         for birth in scene["components"]:
             self.answer(lambda birth=birth: self.make(birth), birth["name"])
+        for birth in scene["overlays"]:
+            self.answer(lambda birth=birth: self.overlay(birth), birth["overlay"])
         self.watch.limit = scene["limit"]
         self.state.live = True
 
@@ -289,6 +307,57 @@ class Host:
             component.local_data.update(birth["data"])
         return {"at": place_of_method(component)}
 
+    def overlay(self, birth):
+        from morse.core import overlay
+        cls = self.describe.load(birth["class"])
+        component = self.components.get(birth["name"])
+        if component is None:
+            overlaid = overlay.OverlaidComponent(birth, self.robots[birth["robot"]], self.state)
+        else:
+            overlaid = overlay.OverlaidOwn(component, self.describe.services_of(type(component)))
+        made = cls(overlaid, **birth["settings"])
+        if not hasattr(made, "overlaid_object"):
+            raise TypeError("%s.__init__() must call that of its base class" % cls.__name__)
+        name = made.name()
+        if not isinstance(name, str):
+            raise TypeError("%s.name() must be a text, not %r" % (cls.__name__, name))
+        self.overlays[birth["overlay"]] = made
+        if component is not None:
+            self.overlaid[birth["overlay"]] = birth["name"]
+        return {"name": name}
+
+    def settle(self):
+        """Tells overlays which services of components in this process have ended."""
+        for component in list(self.components.values()):
+            own = [one for one in component._ended if callable(one[0])]
+            component._ended = [one for one in component._ended if not callable(one[0])]
+            for callback, status, result in own:
+                callback((status, result))
+
+    def abandon(self, component):
+        """Tells them what has become of a component that is off."""
+        ends, running = component._ended, component._running
+        component._ended, component._running = [], None
+        if running is not None:
+            ends = ends + [[running[0], "FAILED", component.name() +
+                            " was switched off: its code has failed"]]
+        for callback, status, result in ends:
+            if callable(callback):
+                callback((status, result))
+
+    def other_ends(self):
+        """Services that have ended beside those of the component that has just run."""
+        ends = []
+        for each in [*self.components.values(), *self.overlays.values()]:
+            for end in each._ended:
+                try:
+                    text_of(end)
+                except (TypeError, ValueError, RecursionError) as error:
+                    end = [end[0], "FAILED", words_of(error)]
+                ends.append(end)
+            each._ended = []
+        return ends
+
     def answer(self, work, name):
         """Has something done and answers what came of it."""
         self.state.deeds = []
@@ -297,6 +366,7 @@ class Host:
             try:
                 with self.watch:
                     answer = work()
+                    self.settle()
             finally:
                 sys.stdout.flush()
         except Hang as hang:
@@ -304,41 +374,59 @@ class Host:
                              self.watch.limit}
         except BaseException as error:  # whatever it raises is its own end only
             answer = {"off": place_of(error) + words_of(error)}
-        component = self.components.get(name)
+        # What an overlay has done to the data of a component that runs here is seen at once.
+        of = self.overlaid.get(name, name)
+        component = self.components.get(of)
         change = {}
         if self.state.deeds:
             change["do"] = self.state.deeds
         try:
             if component is not None and "off" not in answer:
                 text = text_of(component.local_data)
-                if text != self.sent[name]:
+                if text != self.sent[of]:
                     change["data"] = json.loads(text)
                     if not isinstance(change["data"], dict):
                         raise TypeError("local_data must be a dict")
-                    self.sent[name] = text
+                    self.sent[of] = text
                 if component._ended:
                     answer["ended"] = component._ended
                     component._ended = []
-                if change:
-                    answer["change"] = change
+            if change and "off" not in answer:
+                answer["change"] = change
             answer_text = text_of(answer)
         except (TypeError, ValueError, RecursionError) as error:
             answer = {"off": place_of_method(component) + words_of(error)}
             answer_text = text_of(answer)
         if "off" in answer:
-            self.components.pop(name, None)
+            self.overlays.pop(name, None)
+            if self.components.pop(name, None) is not None:  # not that of an overlay
+                self.abandon(component)
+        ends = self.other_ends()
+        if ends:
+            answer["ended"] = answer.get("ended", []) + ends
+            answer_text = text_of(answer)
         self.line.write(answer_text)
 
     def perform(self, task):
-        component = self.components.get(task["n"])
-        if component is None:
-            return {}
-        if "d" in task:
-            component.local_data = task["d"]
-            self.sent[task["n"]] = text_of(task["d"])
-        if "p" in task:
-            component._set_properties(task["p"])
+        component = self.components.get(task.get("o", task["n"]))
+        if component is not None:
+            if "d" in task:
+                component.local_data = task["d"]
+                self.sent[component.name()] = text_of(task["d"])
+            if "p" in task:
+                component._set_properties(task["p"])
         kind = task["k"]
+        if task["n"] in self.overlays:
+            if component is None:
+                self.state.deeds = None
+            component = self.overlays[task["n"]]
+        elif task["n"] not in self.components:
+            return {}
+        if kind == "ended":
+            callback = self.state.callbacks.pop(task["i"], None)
+            if callback is not None:
+                callback(tuple(task["r"]))
+            return {}
         if kind == "act":
             component.action()
             return {}

@@ -14,6 +14,7 @@
 #include "scene/limits.h"
 #include "servers/morse/arena_services.h"
 #include "servers/own/own_change.h"
+#include "sim/robots/robot_skills.h"
 
 namespace ccmorse::servers {
 namespace {
@@ -383,7 +384,11 @@ void ServiceDirectory::Receive(sim::Actuator& actuator, const Json& message) {
 
 void ServiceDirectory::Interrupt(std::string_view component) {
   sim::Component* const found = simulation_.FindComponent(component);
-  if (found == nullptr) return;
+  if (found == nullptr) {
+    const auto other = interrupts_.find(component);
+    if (other != interrupts_.end()) other->second();
+    return;
+  }
   if (input_tap_) input_tap_({Input::Kind::kInterrupt, component, {}, ""});
   found->Interrupt();
 }
@@ -654,24 +659,42 @@ void ServiceDirectory::AddCameraServices() {
   });
 }
 
-// What a script exposes by the robot's own add_service. MORSE's get_configurations of a robot asks
-// for the robot that it is mounted on, and fails.
+// What a script exposes by the robot's own add_service: its skills, and its properties as they are
+// now, of which only those of a victim are more than a matter of the start. MORSE's
+// get_configurations of a robot asks for the robot that it is mounted on, and fails.
 void ServiceDirectory::AddRobotServices(sim::Robot& robot) {
   const std::string& name = robot.name();
-  AddQuery(name,
-           {"get_properties", {}, [&robot](Arguments) {
-              return Json(Json::Object{{"properties", PropertyTable(robot.def().properties)}});
-            }});
-  AddQuery(name, {"set_property", {{"name"}, {"value"}}, [&robot](Arguments arguments) -> Json {
-                    const std::string& property = sim::StringArgument(arguments, 0, "name");
-                    if (robot.def().properties.Find(property) == nullptr) {
-                      throw ServiceFailed("Property " + property + " does not exist for object " +
-                                          robot.name());
-                    }
-                    throw ServiceFailed("Property " + property + " of " + robot.name() +
-                                        " is fixed when the simulation starts; set it in the "
-                                        "scenario");
+  for (Service& skill : sim::RobotSkills(robot, simulation_.world())) Add(name, std::move(skill));
+  // Found anew for each call: the world's list of objects may have been made anew.
+  const auto properties = [this, &name]() -> Json& {
+    return simulation_.world().objects().Find(name)->properties;
+  };
+  AddQuery(name, {"get_properties", {}, [properties](Arguments) {
+                    return Json(Json::Object{{"properties", PropertyTable(properties())}});
                   }});
+  Add(name,
+      {"set_property", {{"name"}, {"value"}}, [&robot, properties](Arguments arguments) -> Json {
+         const std::string& property = sim::StringArgument(arguments, 0, "name");
+         const Json* const now = properties().Find(property);
+         if (now == nullptr) {
+           throw ServiceFailed("Property " + property + " does not exist for object " +
+                               robot.name());
+         }
+         const auto& skills = robot.def().skills;
+         const bool victim = std::find(skills.begin(), skills.end(), "heal") != skills.end();
+         if (!victim ||
+             (property != "Requirements" && property != "Injured" && property != "Severity")) {
+           throw ServiceFailed("Property " + property + " of " + robot.name() +
+                               " is fixed when the simulation starts; set it in the "
+                               "scenario");
+         }
+         if (std::string_view(now->TypeName()) != arguments[1].TypeName()) {
+           throw WrongArgument(property + " must be " + now->TypeName() + ", not " +
+                               arguments[1].TypeName());
+         }
+         properties().Set(property, arguments[1]);
+         return {};
+       }});
   AddQuery(name, {"get_configurations", {}, [&robot](Arguments) -> Json {
                     throw WrongArgument("'" + robot.def().type +
                                         "' object has no attribute 'robot_parent'");

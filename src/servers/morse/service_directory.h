@@ -98,6 +98,16 @@ class ServiceDirectory {
   /// One more service, of a component or of something that is called like one; before the run.
   void Add(const std::string& component, sim::Service service);
 
+  /// Has anything services by that name?
+  bool HasServices(std::string_view component) const {
+    return services_.find(component) != services_.end();
+  }
+  /// What Interrupt() calls for something that is called like a component; before the run. It is no
+  /// input of the run.
+  void AddInterrupt(const std::string& component, std::function<void()> interrupt) {
+    interrupts_[component] = std::move(interrupt);
+  }
+
   /// Gives an actuator a message of its stream. Throws WrongArgument when it is not what the
   /// actuator needs.
   void Receive(sim::Actuator& actuator, const Json& message);
@@ -200,6 +210,7 @@ class ServiceDirectory {
   };
   std::vector<Stepper> steppers_;
   std::set<std::string> external_;
+  std::map<std::string, std::function<void()>, std::less<>> interrupts_;
   InputTap input_tap_;
   bool contest_ = false;
   std::vector<Refusal> refusals_;

@@ -141,6 +141,8 @@ class PluginHost::Part {
       case OwnTask::Kind::kActivate:
         plugin_.act(instance_);
         break;
+      case OwnTask::Kind::kEnded:  // of overlays, which are none of these
+        break;
       case OwnTask::Kind::kInterrupt:
         plugin_.interrupt(instance_);
         End(2, Json());  // where it has not

@@ -50,10 +50,20 @@ const char* KindWord(OwnTask::Kind kind) {
       return "call";
     case OwnTask::Kind::kStart:
       return "start";
+    case OwnTask::Kind::kEnded:
+      return "ended";
     case OwnTask::Kind::kInterrupt:
       break;
   }
   return "interrupt";
+}
+
+const sim::Component& ComponentOf(const OwnTask& task) {
+  return task.overlay != nullptr ? *task.overlay->overlaid : task.component->component();
+}
+
+Json::Array Texts(const std::vector<std::string>& texts) {
+  return Json::Array(texts.begin(), texts.end());
 }
 
 Json OffAnswer(const std::string& text) { return Json(Json::Object{{"off", text}}); }
@@ -61,16 +71,19 @@ Json OffAnswer(const std::string& text) { return Json(Json::Object{{"off", text}
 }  // namespace
 
 PythonHost::PythonHost(sim::Simulation& simulation, std::vector<sim::OwnComponent*> components,
-                       const OwnOptions& options, Asker asker, const Taker& taker)
+                       std::vector<Overlay*> overlays, const OwnOptions& options, Asker asker,
+                       const Taker& taker)
     : simulation_(simulation),
       components_(std::move(components)),
+      overlays_(std::move(overlays)),
       python_(options.python),
       folder_(options.python_folder),
       limit_(options.time_limit),
       start_limit_(options.start_time_limit),
       asker_(std::move(asker)) {
   if (python_.empty()) {
-    throw Error("components in Python need python3, which is nowhere in PATH; install it");
+    throw Error(
+        "components and overlays in Python need python3, which is nowhere in PATH; install it");
   }
   Begin(taker, false);
 }
@@ -83,6 +96,8 @@ Json PythonHost::Scene(bool anew) const {
   Json::Array components;
   for (const sim::OwnComponent* component : components_)
     components.push_back(Birth(*component, anew));
+  Json::Array overlays;
+  for (const Overlay* overlay : overlays_) overlays.push_back(Birth(*overlay));
   return Json(Json::Object{{"robots", std::move(robots)},
                            {"canvas", Json::Array{canvas.width(), canvas.height()}},
                            {"world", Json::Array{scenario.world.size_x, scenario.world.size_y,
@@ -93,18 +108,17 @@ Json PythonHost::Scene(bool anew) const {
                            {"limit", limit_.count()},
                            {"start_limit", start_limit_.count()},
                            {"components", std::move(components)},
+                           {"overlays", std::move(overlays)},
                            {"poses", Poses({})}});
 }
 
 Json PythonHost::Birth(const sim::OwnComponent& own, bool anew) const {
   const sim::Component& component = own.component();
   const scene::OwnDef& def = own.def();
-  Json::Array path;
-  for (const std::string& folder : def.path) path.emplace_back(folder);
   return Json(Json::Object{{"name", component.full_name()},
                            {"robot", component.robot().name()},
                            {"class", def.code},
-                           {"path", std::move(path)},
+                           {"path", Texts(def.path)},
                            {"level", def.level},
                            {"frequency", component.frequency()},
                            {"mount", VectorOf(component.mount())},
@@ -114,13 +128,34 @@ Json PythonHost::Birth(const sim::OwnComponent& own, bool anew) const {
                            {"properties", component.Properties()}});
 }
 
+Json PythonHost::Birth(const Overlay& overlay) const {
+  const sim::Component& component = *overlay.overlaid;
+  Json services(Json::Object{});  // name -> whether it answers later
+  for (const char* name : {"get_local_data", "get_properties", "get_configurations"}) {
+    services.Set(name, false);
+  }
+  services.Set("set_property", false);
+  for (const sim::Service& service : component.services()) {
+    services.Set(service.name, service.start != nullptr);
+  }
+  return Json(Json::Object{{"overlay", overlay.key},
+                           {"name", component.full_name()},
+                           {"robot", component.robot().name()},
+                           {"class", overlay.def->code},
+                           {"path", Texts(overlay.def->path)},
+                           {"settings", overlay.def->settings},
+                           {"mount", VectorOf(component.mount())},
+                           {"mount_euler", VectorOf(component.mount_euler())},
+                           {"services", std::move(services)}});
+}
+
 // All robots' where there are no tasks, else those of the tasks'.
 Json PythonHost::Poses(std::span<const OwnTask> tasks) const {
   Json poses(Json::Object{});
   for (const auto& robot : simulation_.robots()) {
     const bool wanted =
         tasks.empty() || std::any_of(tasks.begin(), tasks.end(), [&](const auto& t) {
-          return &t.component->component().robot() == robot.get();
+          return &ComponentOf(t).robot() == robot.get();
         });
     if (wanted) poses.AsObject().emplace_back(robot->name(), PoseOf(*robot));
   }
@@ -128,13 +163,20 @@ Json PythonHost::Poses(std::span<const OwnTask> tasks) const {
 }
 
 Json PythonHost::TaskJson(const OwnTask& task) const {
-  Json json(
-      Json::Object{{"n", task.component->component().full_name()}, {"k", KindWord(task.kind)}});
+  const std::string& name =
+      task.overlay != nullptr ? task.overlay->key : ComponentOf(task).full_name();
+  Json json(Json::Object{{"n", name}, {"k", KindWord(task.kind)}});
+  if (task.kind == OwnTask::Kind::kEnded) {
+    json.Set("i", task.ticket);
+    json.Set("r", Json::Array(task.arguments.begin(), task.arguments.end()));
+  }
   if (task.kind == OwnTask::Kind::kCall || task.kind == OwnTask::Kind::kStart) {
     json.Set("s", task.service);
     json.Set("a", Json::Array(task.arguments.begin(), task.arguments.end()));
   }
   if (task.kind == OwnTask::Kind::kStart) json.Set("t", task.ticket);
+  if (task.component == nullptr) return json;
+  if (task.overlay != nullptr) json.Set("o", ComponentOf(task).full_name());
   if (task.component->TakeDataChanged()) json.Set("d", task.component->data());
   if (task.component->TakePropertiesChanged()) {
     json.Set("p", task.component->component().Properties());
@@ -149,26 +191,55 @@ void PythonHost::Begin(const Taker& taker, bool anew) {
     whole = true;
     const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(start_limit_);
     process_->Send(Scene(anew).Dump(), deadline);
-    const std::vector<sim::OwnComponent*> all = components_;
-    for (sim::OwnComponent* component : all) {
-      std::string reason;
-      Json answer = ReadAnswer(start_limit_, &reason);
-      const OwnTask task{component};
-      if (answer.IsNull()) {
-        taker(task, OffAnswer(LastPlace(*component) + reason));
-        std::erase(components_, component);
-        whole = components_.empty();  // else once more, without it
-        break;
-      }
-      if (answer.Find("off") != nullptr) std::erase(components_, component);
-      const Json* const at = answer.Find("at");
-      if (at != nullptr && at->IsString()) places_[component] = at->AsString();
-      if (anew) answer.Set("anew", true);
-      component->TakeDataChanged();
-      component->TakePropertiesChanged();
-      taker(task, answer);
+    std::vector<OwnTask> all;
+    for (sim::OwnComponent* component : components_) all.push_back({component});
+    for (Overlay* overlay : overlays_) {
+      OwnTask task{overlay->own};
+      task.overlay = overlay;
+      all.push_back(task);
+    }
+    for (const OwnTask& task : all) {
+      if (BeginOne(task, taker, anew)) continue;
+      whole = components_.empty() && overlays_.empty();  // else once more, without it
+      break;
     }
   }
+}
+
+// False: the process has hung or died over it.
+bool PythonHost::BeginOne(const OwnTask& task, const Taker& taker, bool anew) {
+  std::string reason;
+  Json answer = ReadAnswer(start_limit_, &reason);
+  if (answer.IsNull()) {
+    taker(task, OffAnswer(LastPlace(task) + reason));
+    Drop(task);
+    return false;
+  }
+  if (answer.Find("off") != nullptr) Drop(task);
+  if (anew) answer.Set("anew", true);
+  if (task.overlay == nullptr) {
+    const Json* const at = answer.Find("at");
+    if (at != nullptr && at->IsString()) places_[task.component] = at->AsString();
+    task.component->TakeDataChanged();
+    task.component->TakePropertiesChanged();
+  }
+  taker(task, answer);
+  return true;
+}
+
+void PythonHost::Drop(const OwnTask& task) {
+  if (task.overlay != nullptr) {
+    std::erase(overlays_, task.overlay);
+  } else {
+    std::erase(components_, task.component);
+  }
+}
+
+bool PythonHost::IsThere(const OwnTask& task) const {
+  return task.overlay != nullptr
+             ? std::find(overlays_.begin(), overlays_.end(), task.overlay) != overlays_.end()
+             : std::find(components_.begin(), components_.end(), task.component) !=
+                   components_.end();
 }
 
 Json PythonHost::ReadAnswer(std::chrono::duration<double> limit, std::string* reason) {
@@ -205,12 +276,16 @@ Json PythonHost::ReadAnswer(std::chrono::duration<double> limit, std::string* re
 
 // "FILE:LINE: in NAME: " of the innermost call that is the user's, as Python's faulthandler has put
 // it; else where its default action is.
-std::string PythonHost::LastPlace(const sim::OwnComponent& component) const {
+std::string PythonHost::LastPlace(const OwnTask& task) const {
   constexpr std::string_view kFile = "  File \"";
   constexpr std::string_view kLine = "\", line ";
   const std::string& trace = process_->trace();
-  const auto known = places_.find(&component);
-  std::string fallback = known != places_.end() ? known->second : component.def().code + ": ";
+  const Overlay* const overlay = task.overlay;
+  const auto known = overlay != nullptr ? places_.end() : places_.find(task.component);
+  std::string fallback =
+      known != places_.end()
+          ? known->second
+          : (overlay != nullptr ? overlay->def->code : task.component->def().code) + ": ";
   bool first = true;
   for (std::size_t at = 0; (at = trace.find(kFile, at)) != std::string::npos;) {
     at += kFile.size();
@@ -223,7 +298,7 @@ std::string PythonHost::LastPlace(const sim::OwnComponent& component) const {
     if (in == std::string::npos || in > end) continue;
     const std::string place = fmt::format("{}:{}: in {}: ", file, trace.substr(number, in - number),
                                           trace.substr(in + 4, end - in - 4));
-    const auto& path = component.def().path;
+    const auto& path = overlay != nullptr ? overlay->def->path : task.component->def().path;
     const bool users = std::any_of(path.begin(), path.end(), [&](const std::string& folder) {
       return file.starts_with(folder + "/");
     });
@@ -235,7 +310,7 @@ std::string PythonHost::LastPlace(const sim::OwnComponent& component) const {
 
 void PythonHost::Perform(std::span<const OwnTask> tasks, const Taker& taker) {
   while (!tasks.empty()) {
-    if (components_.empty()) return;
+    if (components_.empty() && overlays_.empty()) return;
     Json::Array list;
     for (const OwnTask& task : tasks) list.push_back(TaskJson(task));
     const Json message(Json::Object{{"time", simulation_.time()},
@@ -250,18 +325,15 @@ void PythonHost::Perform(std::span<const OwnTask> tasks, const Taker& taker) {
       std::string reason;
       Json answer = ReadAnswer(limit_, &reason);
       died = answer.IsNull();
-      if (died) answer = OffAnswer(LastPlace(*task.component) + reason);
-      if (answer.Find("off") != nullptr) std::erase(components_, task.component);
+      if (died) answer = OffAnswer(LastPlace(task) + reason);
+      if (answer.Find("off") != nullptr) Drop(task);
       taker(task, answer);
       tasks = tasks.subspan(1);
     }
     if (!died) return;
-    if (!components_.empty()) Begin(taker, true);
+    if (!components_.empty() || !overlays_.empty()) Begin(taker, true);
     // One that the new process could not make is not asked.
-    while (!tasks.empty() && std::find(components_.begin(), components_.end(),
-                                       tasks.front().component) == components_.end()) {
-      tasks = tasks.subspan(1);
-    }
+    while (!tasks.empty() && !IsThere(tasks.front())) tasks = tasks.subspan(1);
   }
 }
 

@@ -22,10 +22,11 @@ class PythonHost : public CodeHost {
  public:
   using Asker = std::function<Json(const Json&)>;
 
-  /// Makes `components`, which it gives to `taker` one by one. `asker` answers what their code asks
-  /// of others' services. Throws Error.
+  /// Makes `components` and then `overlays`, which it gives to `taker` one by one. `asker` answers
+  /// what their code asks of others' services. Throws Error.
   PythonHost(sim::Simulation& simulation, std::vector<sim::OwnComponent*> components,
-             const OwnOptions& options, Asker asker, const Taker& taker);
+             std::vector<Overlay*> overlays, const OwnOptions& options, Asker asker,
+             const Taker& taker);
 
   void Perform(std::span<const OwnTask> tasks, const Taker& taker) override;
 
@@ -35,14 +36,20 @@ class PythonHost : public CodeHost {
   void Begin(const Taker& taker, bool anew);
   Json Scene(bool anew) const;
   Json Birth(const sim::OwnComponent& component, bool anew) const;
+  Json Birth(const Overlay& overlay) const;
+  bool BeginOne(const OwnTask& task, const Taker& taker, bool anew);
   Json TaskJson(const OwnTask& task) const;
   Json Poses(std::span<const OwnTask> tasks) const;
   // What is answered to one task; null: the process has hung or died over it.
   Json ReadAnswer(std::chrono::duration<double> limit, std::string* reason);
-  std::string LastPlace(const sim::OwnComponent& component) const;
+  std::string LastPlace(const OwnTask& task) const;
+  // Whoever the task is for is not asked again.
+  void Drop(const OwnTask& task);
+  bool IsThere(const OwnTask& task) const;
 
   sim::Simulation& simulation_;
   std::vector<sim::OwnComponent*> components_;  // that are not off
+  std::vector<Overlay*> overlays_;              // likewise
   std::string python_;
   std::string folder_;
   std::chrono::duration<double> limit_;

@@ -167,6 +167,7 @@ scene::Scenario WithoutPlaces(scene::Scenario scenario) {
   for (scene::RobotDef& robot : scenario.robots) {
     if (!robot.components) continue;
     for (scene::ComponentDef& component : *robot.components) {
+      for (scene::OverlayDef& overlay : component.overlays) overlay.path.clear();
       if (!component.own) continue;
       component.own->path.clear();
       if (component.own->language != "c++") continue;

@@ -21,7 +21,7 @@ Json Gripper::Grab() {
   const SightCone cone(*this, angle_, distance_);
   double nearest = std::numeric_limits<double>::infinity();
   for (SceneObject& object : world_.objects().all()) {
-    if (object.robot != nullptr || object.holder != nullptr || !object.Is("Graspable")) continue;
+    if (object.robot != nullptr || object.held() || !object.Is("Graspable")) continue;
     const std::optional<double> distance = cone.DistanceOf(object.WorldPosition());
     if (!distance || *distance >= nearest) continue;
     nearest = *distance;

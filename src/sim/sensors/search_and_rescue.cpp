@@ -1,53 +1,18 @@
 #include "sim/sensors/search_and_rescue.h"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include "sim/robots/robot.h"
+#include "sim/victim.h"
 
 namespace ccmorse::sim {
 namespace {
 
 constexpr int kHealing = 10;  // activations
 
-// The whole numbers of "1,2,3"; others are left out. A property may be a lone number, too.
-std::vector<int> Numbers(std::string_view text) {
-  std::vector<int> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    while (begin < end && text[begin] == ' ') ++begin;
-    int number = 0;
-    const auto result = std::from_chars(text.data() + begin, text.data() + end, number);
-    if (result.ec == std::errc()) numbers.push_back(number);
-    begin = end + 1;
-  }
-  return numbers;
-}
-
-std::vector<int> Requirements(const SceneObject& victim) {
-  const Json* const given = victim.properties.Find("Requirements");
-  if (given == nullptr) return {};
-  return Numbers(given->IsString() ? given->AsString() : given->Dump());
-}
-
-int Severity(const SceneObject& victim) {
-  const Json* const given = victim.properties.Find("Severity");
-  return given != nullptr && given->IsNumber() ? static_cast<int>(given->AsDouble()) : 0;
-}
-
 Json ListOf(const std::vector<int>& numbers) {
   return Json(Json::Array(numbers.begin(), numbers.end()));
-}
-
-std::string TextOf(const std::vector<int>& numbers) {
-  std::string text;
-  for (const int number : numbers) text += (text.empty() ? "" : ",") + std::to_string(number);
-  return text;
-}
-
-bool Contains(const std::vector<int>& numbers, int number) {
-  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
 }
 
 }  // namespace
@@ -59,12 +24,14 @@ SearchAndRescue::SearchAndRescue(Robot& robot, const std::string& name, World& w
   AddProperty("Angle", angle_, 0.0, 360.0);
   AddProperty("Distance", distance_, 0.0, 1e6);
   AddProperty("Freq", look_rate_, 1e-3, 1e6);
-  AddQuery({"get_robot_abilities", {}, [this](Arguments) { return ListOf(Numbers(abilities_)); }});
-  AddQuery({"get_victim_requirements", {}, [this](Arguments) {
-              return ListOf(Requirements(*Nearest().object));
-            }});
   AddQuery(
-      {"get_victim_severity", {}, [this](Arguments) { return Json(Severity(*Nearest().object)); }});
+      {"get_robot_abilities", {}, [this](Arguments) { return ListOf(NumbersOf(abilities_)); }});
+  AddQuery({"get_victim_requirements", {}, [this](Arguments) {
+              return ListOf(RequirementsOf(*Nearest().object));
+            }});
+  AddQuery({"get_victim_severity", {}, [this](Arguments) {
+              return Json(SeverityOf(*Nearest().object));
+            }});
   AddService(
       {"heal", {}, nullptr, [this](Arguments, Completion done) { StartHealing(std::move(done)); }});
 }
@@ -101,10 +68,7 @@ void SearchAndRescue::StartHealing(Completion done) {
   const Victim victim = Nearest();
   const std::string whom = "Victim '" + victim.object->name + "'";
   if (victim.distance >= heal_range_) throw ServiceFailed(whom + " is too far away to be healed");
-  const std::vector<int> abilities = Numbers(abilities_);
-  const std::vector<int> needed = Requirements(*victim.object);
-  if (std::none_of(needed.begin(), needed.end(),
-                   [&](int one) { return Contains(abilities, one); })) {
+  if (!CanTreat(*victim.object, NumbersOf(abilities_))) {
     throw ServiceFailed(whom + " needs what the robot cannot do");
   }
   healing_ = victim.object;
@@ -124,16 +88,9 @@ void SearchAndRescue::Sample(const Instant& now) {
 void SearchAndRescue::Conclude(const Instant& /*now*/) {
   if (!pending_ || ++activations_ < kHealing) return;
   SceneObject& victim = *healing_;
-  const std::vector<int> abilities = Numbers(abilities_);
-  std::vector<int> needed = Requirements(victim);
-  std::erase_if(needed, [&](int one) { return Contains(abilities, one); });
-  victim.properties.Set("Requirements", Json(TextOf(needed)));
-  if (needed.empty()) {
-    victim.properties.Set("Injured", Json(false));
-    victim.properties.Set("Severity", Json(0));
-  }
+  const bool healed = Treat(victim, NumbersOf(abilities_));
   Finish(Outcome::kSuccess,
-         "Victim '" + victim.name + (needed.empty() ? "' healed" : "' partially healed"));
+         "Victim '" + victim.name + (healed ? "' healed" : "' partially healed"));
 }
 
 void SearchAndRescue::Finish(Outcome outcome, const std::string& text) {
@@ -168,8 +125,8 @@ void SearchAndRescue::AppendFields(std::string& out) const {
     victims.emplace_back(
         victim.object->name,
         Json::Object{{"coordinate", Json::Object{{"x", at.x}, {"y", at.y}, {"z", at.z}}},
-                     {"requirements", ListOf(Requirements(*victim.object))},
-                     {"severity", Severity(*victim.object)}});
+                     {"requirements", ListOf(RequirementsOf(*victim.object))},
+                     {"severity", SeverityOf(*victim.object)}});
   }
   out += ", \"victim_dict\": " + Json(std::move(victims)).Dump();
 }

@@ -8,6 +8,8 @@ from morse.builder.sensors import ArmaturePose
 class Human(GroundRobot):
     """A person with a skeleton: the armature `skeleton`, its sensor `joint_states`."""
 
+    skills = ("grasp",)
+
     def __init__(self, filename="human_rig", name=None):
         super().__init__(filename, name)
         self.properties(Animations=True)

@@ -21,7 +21,6 @@ ATRV = _make("ATRV")
 B21 = _make("B21")
 Hummer = _make("Hummer")
 Jido = _make("Jido")
-Victim = _make("Victim")
 QUAD2012 = _make("QUAD2012")
 Quadrotor = _make("Quadrotor")
 RMax = _make("RMax")
@@ -36,6 +35,12 @@ class Morsy(_make("Morsy")):
 
     def set_color(self, color=(0.0, 0.0, 0.8), *more):
         super().set_color(*(color if not more else (color,) + more))
+
+
+class Victim(_make("Victim")):
+    """MORSE's victim: somebody to be found and healed."""
+
+    skills = ("heal",)
 
 
 class FakeRobot(Robot):
