@@ -126,7 +126,11 @@ view("cameras, layers and the panel switch by button and by key", "syrotek", asy
   }
   await page.getByRole("radio", { name: "Top" }).click();
   assert.equal(await camera(), "Top");
-  for (const layer of ["lasers", "rings", "trails", "speeds", "names"]) {
+  // Switches of what no robot has are off limits.
+  for (const layer of ["rings", "sights"]) {
+    assert.equal(await page.locator(`input[name=${layer}]`).isDisabled(), true, layer);
+  }
+  for (const layer of ["lasers", "trails", "speeds", "names"]) {
     const box = page.locator(`input[name=${layer}]`);
     const was = await box.isChecked();
     await box.click();
@@ -319,8 +323,6 @@ view("what is shown is saved as a picture and as a film", "syrotek", async (page
   assert.equal(await page.textContent("#film"), "Film");
 });
 
-// --- Obstacles
-
 /** A test on a page that looks at a scenario of its own. */
 function viewOf(name, scenario, body, ...more) {
   test(name, async (context) => {
@@ -336,6 +338,140 @@ function viewOf(name, scenario, body, ...more) {
     assert.deepEqual(page.problems, []);
   });
 }
+
+// --- Fields of view
+
+const FOOTPRINT = [[0.1, -0.1], [0.1, 0.1], [-0.1, 0.1], [-0.1, -0.1]];
+const EYE = { cam_near: 0.1, cam_far: 0.9, cam_width: 320, cam_height: 240, cam_focal: 20 };
+const WATCHERS = {
+  robots: [
+    {
+      name: "rover", type: "Custom", pose: { x: 1.2, y: 2.0, yaw: 0.7 },
+      body: { footprint: FOOTPRINT, hull: [{ outline: FOOTPRINT, bottom: 0, top: 0.2 }] },
+      components: [
+        { name: "eye", type: "SemanticCamera", position: [0.1, 0.02, 0.3], rotation: [0.1, 0.3, -0.2],
+          properties: EYE },
+        { name: "plain", type: "SemanticCamera" },
+        { name: "ptu", type: "PTU", position: [-0.05, 0, 0.2], properties: { Speed: 20 } },
+        { name: "ptu.eye", type: "SemanticCamera", position: [0, 0, 0.3],
+          properties: { ...EYE, cam_far: 0.5 } },
+        { name: "radar", type: "SearchAndRescue", position: [0, 0, 0.25], rotation: [0, 0, 1],
+          properties: { Angle: 40, Distance: 1.1 } },
+      ],
+    },
+    { name: "s1r", pose: { x: 2.1, y: 2.5, yaw: 0 }, ir: {} },
+  ],
+};
+
+/** Rz(yaw) Ry(pitch) Rx(roll) of a point, then moved. */
+function placed([x, y, z], [roll, pitch, yaw], [dx, dy, dz]) {
+  [y, z] = [y * Math.cos(roll) - z * Math.sin(roll), y * Math.sin(roll) + z * Math.cos(roll)];
+  [x, z] = [x * Math.cos(pitch) + z * Math.sin(pitch), -x * Math.sin(pitch) + z * Math.cos(pitch)];
+  [x, y] = [x * Math.cos(yaw) - y * Math.sin(yaw), x * Math.sin(yaw) + y * Math.cos(yaw)];
+  return [x + dx, y + dy, z + dz];
+}
+
+/** The corners of what a camera sees into, in its frame: a lens on 32 units of the longer side. */
+function pyramid(properties) {
+  const { cam_near: near, cam_far: far, cam_width: width, cam_height: height } = properties;
+  const side = 16 / properties.cam_focal / Math.max(width, height);
+  return [[0, 0, 0], ...[near, far].flatMap((x) => [[1, 1], [1, -1], [-1, 1], [-1, -1]]
+    .map(([y, z]) => [x, y * x * side * width, z * x * side * height]))];
+}
+
+/** Each of the points is there, and where `all`, no others. */
+function assertPoints(found, wanted, within, all = true) {
+  if (all) assert.equal(found.length, wanted.length, JSON.stringify(found));
+  for (const point of wanted) {
+    const off = Math.min(...found.map((each) => Math.hypot(...each.map((v, i) => v - point[i]))));
+    assert.ok(off < within, `${point} is ${off} m off ${JSON.stringify(found)}`);
+  }
+}
+
+viewOf("camera frusta and radar cones are drawn as their components' properties say, and are switched",
+  WATCHERS, async (page) => {
+    const sights = async () => Object.fromEntries((await page.evaluate(() => window.ccmorse.sights()))
+      .map(({ name, ...rest }) => [name, rest]));
+    const [ROVER] = WATCHERS.robots;
+    const robotAt = async () => {
+      const { x, y, z, yaw } = await robot(page, 0);
+      return (point) => placed(point, [0, 0, yaw], [x, y, z]);
+    };
+    const asDescribed = async (carried) => {
+      const inWorld = await robotAt();
+      const found = await sights();
+      assert.deepEqual(Object.keys(found).sort(),
+        ["rover.eye", "rover.plain", "rover.ptu.eye", "rover.radar"]);
+      const eye = ROVER.components[0];
+      assertPoints(found["rover.eye"].corners, pyramid(EYE).map((point) =>
+        inWorld(placed(point, eye.rotation, eye.position))), 1e-5);
+      // MORSE's defaults; what is far away is there, too.
+      const plain = { cam_near: 0.1, cam_far: 100, cam_width: 256, cam_height: 256, cam_focal: 25 };
+      assertPoints(found["rover.plain"].corners, pyramid(plain).map(inWorld), 1e-3, false);
+      assertPoints(found["rover.ptu.eye"].corners,
+        pyramid({ ...EYE, cam_far: 0.5 }).map((point) => inWorld(carried(point))), 1e-5);
+      // The edge of the cone, and its tip.
+      const [, , , , radar] = ROVER.components;
+      const tip = inWorld(radar.position);
+      const ahead = inWorld(placed([1, 0, 0], radar.rotation, radar.position)).map((v, i) => v - tip[i]);
+      const cone = found["rover.radar"].corners.map((corner) => corner.map((v, i) => v - tip[i]))
+        .filter((way) => Math.hypot(...way) > 1e-5);
+      assert.equal(cone.length, found["rover.radar"].corners.length - 1, "the tip is a corner");
+      let rim = 0;
+      for (const way of cone) {
+        assert.ok(Math.abs(Math.hypot(...way) - 1.1) < 1e-5, String(way));
+        const cosine = way.reduce((sum, v, i) => sum + v * ahead[i], 0) / 1.1;
+        const angle = Math.acos(Math.min(1, cosine)) * 180 / Math.PI;
+        assert.ok(angle < 20 + 1e-2, `${angle} degrees off`);
+        if (angle > 20 - 1e-2) ++rim;
+      }
+      assert.ok(rim >= 24, `${rim} corners on the rim`);
+    };
+    await asDescribed((point) => placed(point, [0, 0, 0], [0, 0, 0.3]));
+
+    // They go along, with the robot and with what carries them.
+    await page.evaluate(() => Promise.all([
+      window.ccmorse.call("simulation", "set_object_position", ["rover", [1.65, 2.25, 0], [0, 0, 1.9]]),
+      window.ccmorse.call("rover.ptu", "set_pan_tilt", [0.8, 0.5])]));
+    await page.waitForFunction(() => Math.abs(window.ccmorse.frame().robots[0].yaw - 1.9) < 1e-6);
+    const arrived = await time(page);
+    await page.waitForFunction((t) => window.ccmorse.frame().time > t + 0.1, arrived);
+    assert.equal(await page.evaluate(() => window.ccmorse.frame().movedSights.length), 1);
+    const [pan, tilt] = await page.evaluate(() => window.ccmorse.call("rover.ptu", "get_pan_tilt", []));
+    assert.ok(Math.abs(pan - 0.8) < 0.02 && Math.abs(tilt - 0.5) < 0.02, `${pan} ${tilt}`);
+    await asDescribed((point) => placed(placed(point, [0, 0, 0], [0.05, 0, 0.1]),
+      [0, tilt, pan], ROVER.components[2].position));
+
+    // The switch: what is drawn changes, and is the same as before when it is back.
+    await page.evaluate(() => window.ccmorse.call("ccmorse", "pause", []));
+    await page.waitForFunction(() => window.ccmorse.frame().paused);
+    const picture = async () => {
+      const drawn = await page.evaluate(() => window.ccmorse.frames());
+      await page.waitForFunction((n) => window.ccmorse.frames() > n + 4, drawn);
+      return page.evaluate(() => document.getElementById("stage").toDataURL());
+    };
+    const box = page.locator("input[name=sights]");
+    const shown = async () => [...new Set(Object.values(await sights()).map((sight) => sight.shown))];
+    assert.equal(await box.isChecked(), true);
+    assert.deepEqual(await shown(), [true]);
+    const on = await picture();
+    await box.click();
+    assert.deepEqual(await shown(), [false]);
+    assert.notEqual(await picture(), on);
+    await box.click();
+    assert.deepEqual(await shown(), [true]);
+    assert.equal(await picture(), on);
+    await page.locator("input[name=rings]").click(); // of the other robot, so that it can be
+    // Through the robot's own eyes they would tint all.
+    await page.keyboard.press("4");
+    await picture();
+    assert.deepEqual(await shown(), [false]);
+    await page.keyboard.press("1");
+    await picture();
+    assert.deepEqual(await shown(), [true]);
+  });
+
+// --- Obstacles
 
 const ROBOTS = [{ name: "s1r", pose: { x: 1.2, y: 2.0, yaw_deg: 90 } }];
 const UP = 1;
@@ -660,6 +796,7 @@ test("a lost connection is said, and the page comes back by itself", async (cont
   assert.equal(await page.locator("#curtain").isVisible(), false);
 });
 
+// ONLY=WORDS runs those whose names have the words.
 nodeTest("the live view", async (context) => {
   browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
@@ -667,5 +804,7 @@ nodeTest("the live view", async (context) => {
       "--enable-unsafe-swiftshader"],
   });
   context.after(() => browser.close());
-  for (const { name, body } of cases) await context.test(name, body);
+  for (const { name, body } of cases) {
+    if (name.includes(process.env.ONLY ?? "")) await context.test(name, body);
+  }
 });

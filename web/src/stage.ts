@@ -4,12 +4,14 @@ import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment
 import { Boxes } from "./boxes";
 import type { Frame, Laser, Mesh, Robot, RobotState, Scene } from "./protocol";
 import { type Quality, prism, surface } from "./shapes";
+import { Sight } from "./sights";
 
 export type CameraKind = "orbit" | "follow" | "top" | "robot";
 
 export interface Layers {
   lasers: boolean;
   rings: boolean;
+  sights: boolean;
   trails: boolean;
   speeds: boolean;
   names: boolean;
@@ -24,6 +26,7 @@ const RING_COLOR = 0xffa028;
 const FIELD = 42; // degrees from top to bottom, on a screen that is
 const WIDE = 1.5; // times as wide as high, or more
 const WIDEST = 80; // degrees
+const TINT_REACH = 10; // lengths of a robot, as far as what its cameras see is tinted
 const SLAB_COLOR = 0x5c636b; // beneath the floor
 
 // Of its floor, m.
@@ -181,6 +184,7 @@ class RobotModel {
   readonly group = new THREE.Group();
   readonly fans: Fan[] = []; // of lasers
   readonly cones: { fan: Fan; sensor: number; index: number }[] = [];
+  readonly sights: Sight[] = []; // of cameras and radars
   readonly trail: Trail;
   readonly tag: THREE.Sprite;
   private readonly wheels: THREE.Group[] = [];
@@ -260,6 +264,17 @@ class RobotModel {
     this.arrow.setLength(0.05 + Math.abs(state.v), 0.04, 0.03);
     for (const fan of this.fans) fan.mesh.visible = layers.lasers;
     for (const { fan } of this.cones) fan.mesh.visible = layers.rings;
+    this.showSights(layers.sights);
+  }
+
+  showBody(on: boolean): void {
+    this.group.traverse((object) => {
+      if (object instanceof THREE.Mesh && object.material.depthWrite !== false) object.visible = on;
+    });
+  }
+
+  showSights(on: boolean): void {
+    for (const sight of this.sights) sight.group.visible = on;
   }
 
   private add(mesh: THREE.Mesh): void {
@@ -294,7 +309,9 @@ class RobotModel {
 
 /** The 3-D picture: the scene as sent, moved by frames. */
 export class Stage {
-  readonly layers: Layers = { lasers: true, rings: true, trails: true, speeds: false, names: false };
+  readonly layers: Layers = {
+    lasers: true, rings: true, sights: true, trails: true, speeds: false, names: false,
+  };
   private readonly quality = chooseQuality();
   private readonly renderer: THREE.WebGLRenderer;
   private readonly world = new THREE.Scene();
@@ -303,6 +320,7 @@ export class Stage {
   private content = new THREE.Group();
   private scene: Scene | null = null;
   private robots: RobotModel[] = [];
+  private sights: Sight[] = []; // in the scene's order: frusta, then radars
   private boxes = new Boxes([], "low");
   private editing = false;
   private canvasPixels: Uint8Array = new Uint8Array(4);
@@ -388,6 +406,15 @@ export class Stage {
         robot?.cones.push({ fan, sensor: scene.lasers.length + number, index });
       });
     });
+    this.sights = [
+      ...scene.frusta.map((frustum) => Sight.ofCamera(frustum, this.tintReach(frustum.robot))),
+      ...scene.radars.map((radar) => Sight.ofRadar(radar, this.tintReach(radar.robot))),
+    ];
+    [...scene.frusta, ...scene.radars].forEach(({ robot }, i) => {
+      const sight = this.sights[i]!;
+      this.robots[robot]?.group.add(sight.group);
+      this.robots[robot]?.sights.push(sight);
+    });
     this.world.add(this.content);
     if (!again) this.setCamera("orbit");
   }
@@ -401,6 +428,8 @@ export class Stage {
     this.states = frame.robots;
     frame.robots.forEach((state, i) => this.robots[i]?.show(state, seconds, this.layers));
     this.boxes.show(frame);
+    const carried = new Map(frame.movedSights.map((each) => [each.sight, each]));
+    this.sights.forEach((sight, i) => sight.place(carried.get(i) ?? null));
     for (const scan of frame.scans) {
       const laser: Laser | undefined = this.scene.lasers[scan.sensor];
       if (laser !== undefined) {
@@ -464,6 +493,7 @@ export class Stage {
   }
 
   choose(robot: number): void {
+    this.robots[this.chosen]?.showBody(true); // to the eyes of the next one
     this.chosen = robot;
   }
 
@@ -535,8 +565,19 @@ export class Stage {
     this.resize();
   }
 
+  /** What cameras and radars see into: the ends of the lines, m, in the world, as drawn. */
+  sightLines(): { name: string; shown: boolean; corners: [number, number, number][] }[] {
+    return this.sights.map((sight) => ({
+      name: sight.name, shown: sight.group.visible, corners: sight.corners(),
+    }));
+  }
+
   setControls(on: boolean): void {
     this.controls.enabled = on && this.kind !== "robot";
+  }
+
+  private tintReach(robot: number): number {
+    return TINT_REACH * (this.robots[robot]?.robot.length ?? 1);
   }
 
   private ray(x: number, y: number): THREE.Raycaster {
@@ -659,12 +700,9 @@ export class Stage {
       }
     }
     if (this.kind !== "robot") this.controls.update();
-    robot?.group.traverse((object) => {
-      // From its own eyes a robot does not see itself.
-      if (object instanceof THREE.Mesh && object.material.depthWrite !== false) {
-        object.visible = this.kind !== "robot";
-      }
-    });
+    // From its own eyes a robot does not see itself, and what it sees into would tint all of it.
+    robot?.showBody(this.kind !== "robot");
+    robot?.showSights(this.layers.sights && this.kind !== "robot");
     // Shadows of what moves little may be a few frames late where each costs.
     if (this.quality === "low" && this.frames % 4 === 0) this.renderer.shadowMap.needsUpdate = true;
     this.renderer.render(this.world, this.camera);
