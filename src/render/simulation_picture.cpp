@@ -120,10 +120,29 @@ void AddRobot(const sim::Robot& robot, const Parts& parts, const PictureOptions&
   }
 }
 
-void AddMesh(const scene::Mesh& mesh, PictureScene& scene) {
-  if (mesh.drawn)
+// `thing`: the passive object that it is a part of, nullptr where it is none.
+void AddMesh(const scene::Mesh& mesh, const sim::SceneObject* thing, PictureScene& scene) {
+  if (!mesh.drawn) return;
+  if (thing == nullptr || !thing->HasMoved()) {
     AddTriangles(
         mesh, [](const Vec3& v) { return v; }, scene);
+    return;
+  }
+  const Vec3 from = thing->start.position;
+  const Vec3& euler = thing->start.rotation;
+  const Rotation before = FromEuler(euler.x, euler.y, euler.z);
+  const Vec3 to = thing->WorldPosition();
+  const Rotation now = thing->WorldRotation();
+  AddTriangles(
+      mesh, [&](const Vec3& v) { return to + Rotate(now, RotateBack(before, v - from)); }, scene);
+}
+
+const sim::SceneObject* ThingOf(const scene::Mesh& mesh, const sim::World& world) {
+  for (const sim::SceneObject& object : world.objects().all()) {
+    const std::vector<int>& parts = object.start.meshes;
+    if (std::find(parts.begin(), parts.end(), mesh.id) != parts.end()) return &object;
+  }
+  return nullptr;
 }
 
 void AddLamps(const scene::World& world, PictureScene& scene) {
@@ -210,7 +229,9 @@ void ShowSimulation(const sim::Simulation& simulation, const PictureOptions& opt
     scene.AddPrism(box.pose, outline, 0.0, box.height, kBevel,
                    scene.AddMaterial({Linear(box.color), 0.04, 0.5, false}));
   }
-  for (const scene::Mesh& mesh : world.meshes) AddMesh(mesh, scene);
+  for (const scene::Mesh& mesh : world.meshes) {
+    AddMesh(mesh, ThingOf(mesh, simulation.world()), scene);
+  }
   const Parts parts = {scene.AddMaterial({{0.016, 0.019, 0.024}, 0.04, 0.45, false}),
                        scene.AddMaterial({{0.012, 0.012, 0.012}, 0.03, 0.7, false}),
                        scene.AddMaterial({{0.72, 0.74, 0.76}, 0.0, 0.3, true}),

@@ -31,6 +31,8 @@ struct SceneObject {
   /// Where it is in the world now.
   Vec3 WorldPosition() const;
   Rotation WorldRotation() const;
+  /// Is a passive object elsewhere than at the start, or turned?
+  bool HasMoved() const;
 
   /// Has it the property, whatever its value? All robots have "Robot_Tag".
   bool Has(std::string_view property) const;

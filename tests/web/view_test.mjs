@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { request } from "node:http";
+import { connect } from "node:net";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import nodeTest from "node:test";
@@ -470,6 +471,131 @@ viewOf("camera frusta and radar cones are drawn as their components' properties 
     await picture();
     assert.deepEqual(await shown(), [true]);
   });
+
+// --- Things
+
+// A wedge, of which one can see how it is turned.
+const WEDGE = [[0, 0, 0], [0.2, 0, 0], [0, 0.06, 0], [0, 0, 0.1]];
+const CARRIER = {
+  robots: [{
+    name: "porter", type: "Custom", pose: { x: 1.2, y: 2.0, yaw: 0.3 },
+    body: { footprint: FOOTPRINT, hull: [{ outline: FOOTPRINT, bottom: 0, top: 0.2 }] },
+    components: [
+      { name: "hand", type: "Gripper", position: [0.1, 0, 0.2], properties: { Angle: 180, Distance: 0.5 } },
+      { name: "motion", type: "MotionVW" },
+    ],
+  }],
+  props: ["cup", "other"].map((name, i) => ({
+    name, file: "", position: [1.4 + i, 2.1, 0.25], rotation: [0.2, -0.1, 0.6],
+    properties: { Graspable: true },
+    shape: [{ vertices: WEDGE, triangles: [[0, 1, 2], [0, 1, 3], [1, 2, 3], [0, 2, 3]] }],
+  })),
+};
+
+/** Asks on MORSE's service port, as a user's program does; the answer's value. */
+async function askMorse(port, component, service, ...args) {
+  const socket = connect(Number(port), "127.0.0.1");
+  try {
+    socket.write(`id1 ${component} ${service} ${JSON.stringify(args)}\n`);
+    const line = await new Promise((resolve, reject) => {
+      let text = "";
+      socket.on("data", (data) => {
+        text += data;
+        if (text.includes("\n")) resolve(text.trim());
+      });
+      socket.on("error", reject);
+    });
+    const [, status, value] = /^id1 (\S+) ?(.*)$/.exec(line);
+    assert.equal(status, "SUCCESS", line);
+    return value === "" ? null : JSON.parse(value);
+  } finally {
+    socket.destroy();
+  }
+}
+
+/** Low and high corner of the box around points. */
+const boxAround = (points) => [Math.min, Math.max].map((best) =>
+  [0, 1, 2].map((i) => best(...points.map((point) => point[i]))));
+
+test("what a gripper holds goes along in the view, is left where it is let go, and a record shows it", async (context) => {
+  const folder = await mkdtemp(join(tmpdir(), "ccmorse-view-"));
+  context.after(() => rm(folder, { recursive: true }));
+  const scenario = join(folder, "carrier.json");
+  await writeFile(scenario, JSON.stringify(CARRIER));
+  const file = join(folder, "carrier.mcap");
+  const simulator = new Simulator(scenario, "--record", file);
+  context.after(() => simulator.stop());
+  const page = await look(await simulator.address);
+  context.after(() => page.close());
+  const ask = (...words) => askMorse(/^MORSE services on \S+ port (\d+)/m.exec(simulator.output)[1], ...words);
+  const moved = () => page.evaluate(() => window.ccmorse.frame().movedThings);
+  const drawn = (name) => page.evaluate((of) => window.ccmorse.boxAround(of), name);
+  const [cup, other] = CARRIER.props;
+  // Its corners as it stands in the scenario, then taken along from the robot's first pose to another.
+  const atStart = WEDGE.map((point) => placed(point, cup.rotation, cup.position));
+  const start = await robot(page);
+  const along = (points, to) => points.map(([x, y, z]) => placed(
+    placed([x - start.x, y - start.y, z], [0, 0, -start.yaw], [0, 0, 0]),
+    [0, 0, to.yaw], [to.x, to.y, 0]));
+  const assertBox = async (name, points, where) => {
+    const [found, wanted] = [await drawn(name), boxAround(points)];
+    const off = Math.max(...found.flat().map((v, i) => Math.abs(v - wanted.flat()[i])));
+    assert.ok(off < 1e-4, `${where}: ${JSON.stringify(found)}, not ${JSON.stringify(wanted)}`);
+  };
+  const stands = async () => { // driven somewhere, and it is all in a frame
+    await ask("porter.motion", "set_speed", 0, 0);
+    const now = await time(page);
+    await page.waitForFunction((t) => window.ccmorse.frame().time > t + 0.2, now);
+    return robot(page);
+  };
+  await assertBox("cup", atStart, "at the start");
+  assert.deepEqual(await moved(), []);
+
+  assert.equal(await ask("porter.hand", "grab"), "cup");
+  await ask("porter.motion", "set_speed", 0.1, 0.8);
+  await page.waitForFunction((yaw) => window.ccmorse.frame().robots[0].yaw > yaw + 1, start.yaw);
+  const carried = await stands();
+  const [one, ...more] = await moved();
+  assert.deepEqual(more, []); // only what has moved is told of
+  assert.equal(await page.evaluate((i) => window.ccmorse.scene().things[i].name, one.thing), "cup");
+  const [origin] = along([cup.position], carried);
+  assert.ok(Math.hypot(...one.position.map((v, i) => v - origin[i])) < 1e-5, JSON.stringify(one));
+  assert.ok(Math.hypot(origin[0] - cup.position[0], origin[1] - cup.position[1]) > 0.1);
+  const there = along(atStart, carried);
+  await assertBox("cup", there, "carried");
+  await assertBox("other", WEDGE.map((point) => placed(point, other.rotation, other.position)), "the other");
+
+  assert.equal(await ask("porter.hand", "release"), true);
+  await ask("porter.motion", "set_speed", -0.1, 0);
+  await page.waitForFunction(({ x, y }) => Math.hypot(window.ccmorse.frame().robots[0].x - x,
+    window.ccmorse.frame().robots[0].y - y) > 0.05, carried);
+  await stands();
+  await assertBox("cup", there, "let go");
+  const end = await time(page);
+  // Who comes later sees the same.
+  await page.reload();
+  await page.waitForFunction(() => window.ccmorse?.frame() !== null);
+  await assertBox("cup", there, "after a reload");
+  await page.locator("#reset").click();
+  await page.waitForFunction(() => window.ccmorse.frame().movedThings.length === 0);
+  await assertBox("cup", atStart, "reset");
+  await simulator.stop();
+  assert.deepEqual(page.problems.filter((problem) => !/WebSocket/.test(problem)), []);
+
+  const replay = new Program("replay", file, "--view-port", "0");
+  context.after(() => replay.stop());
+  const again = await look(await replay.address);
+  context.after(() => again.close());
+  const inRecord = (wanted) => again.waitForFunction((t) =>
+    window.ccmorse.frame().paused && Math.abs(window.ccmorse.frame().time - t) < 0.02, wanted);
+  await again.keyboard.press("Space");
+  await again.waitForFunction(() => window.ccmorse.frame().paused);
+  await again.locator("#timeline").fill(String(Math.round(100 * end) / 100));
+  await inRecord(end);
+  const [found, wanted] = [await again.evaluate(() => window.ccmorse.boxAround("cup")), boxAround(there)];
+  assert.ok(found.flat().every((v, i) => Math.abs(v - wanted.flat()[i]) < 1e-4), JSON.stringify(found));
+  assert.deepEqual(again.problems, []);
+});
 
 // --- Obstacles
 

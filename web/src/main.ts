@@ -519,6 +519,7 @@ declare global {
       frame(): Frame | null;
       find(robot: number): { x: number; y: number };
       findBox(id: number): { x: number; y: number } | null;
+      boxAround(thing: string): Point[];
       sights(): { name: string; shown: boolean; corners: Point[] }[];
       look(from: Point, at: Point): void;
       call(component: string, service: string, args: unknown[]): Promise<unknown>;
@@ -536,6 +537,8 @@ window.ccmorse = {
     const place = stage.boxPlace(scene?.boxes.findIndex((box) => box.id === id) ?? -1);
     return place === null ? null : stage.placeOf(place);
   },
+  boxAround: (name) =>
+    stage.thingBox(scene?.things.findIndex((thing) => thing.name === name) ?? -1),
   sights: () => stage.sightLines(),
   look: (from, at) => stage.look(from, at),
   call: (component, service, args) => connection.call(component, service, args),

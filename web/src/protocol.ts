@@ -24,6 +24,14 @@ export interface Mesh {
   triangles: [number, number, number][];
 }
 
+/** A passive object, as the run began. */
+export interface Thing {
+  name: string;
+  position: [number, number, number]; // m
+  rotation: [number, number, number]; // roll, pitch, yaw, rad
+  meshes: number[]; // ids of those that it is made of
+}
+
 export interface Light {
   kind: "sun" | "spot";
   position: [number, number, number];
@@ -104,6 +112,7 @@ export interface Scene {
   floor: number | null; // null: meshes are the ground
   boxes: Box[];
   meshes: Mesh[];
+  things: Thing[];
   lights: Light[];
   robots: Robot[];
   shapes: Mesh[][];
@@ -155,6 +164,12 @@ export interface MovedSight {
   rotation: [number, number, number];
 }
 
+export interface MovedThing {
+  thing: number; // its place in the scene
+  position: [number, number, number]; // m
+  rotation: [number, number, number]; // rad
+}
+
 export interface Frame {
   paused: boolean;
   time: number; // s, simulated
@@ -165,6 +180,7 @@ export interface Frame {
   moved: MovedBox[]; // those that are elsewhere than in the scene
   arenaEvents: number; // so far
   movedSights: MovedSight[]; // those that their robot has elsewhere than in the scene
+  movedThings: MovedThing[]; // those that are elsewhere than in the scene
   scans: Scan[];
   canvasWidth: number; // cells
   canvasHeight: number;
@@ -213,6 +229,10 @@ export function readFrame(buffer: ArrayBuffer): Frame {
   for (let left = word(); left > 0; --left) {
     movedSights.push({ sight: word(), position: point(), rotation: point() });
   }
+  const movedThings: MovedThing[] = [];
+  for (let left = word(); left > 0; --left) {
+    movedThings.push({ thing: word(), position: point(), rotation: point() });
+  }
   const scans: Scan[] = [];
   for (let left = word(); left > 0; --left) {
     const sensor = word();
@@ -231,7 +251,7 @@ export function readFrame(buffer: ArrayBuffer): Frame {
     at += 4 * canvasWidth;
   }
   return {
-    paused, time, rate, speed, robots, boxes, moved, arenaEvents, movedSights, scans,
+    paused, time, rate, speed, robots, boxes, moved, arenaEvents, movedSights, movedThings, scans,
     canvasWidth, canvasHeight, canvasLayers, rows,
   };
 }

@@ -2,7 +2,9 @@ import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 import { Boxes } from "./boxes";
-import type { Frame, Laser, Mesh, Robot, RobotState, Scene } from "./protocol";
+import type {
+  Frame, Laser, Mesh, MovedThing, Robot, RobotState, Scene, Thing,
+} from "./protocol";
 import { type Quality, prism, surface } from "./shapes";
 import { Sight } from "./sights";
 
@@ -180,6 +182,32 @@ function meshOf(mesh: Mesh, quality: Quality): THREE.Mesh {
   return body;
 }
 
+/** A passive object: its meshes, which stand where they did in the scene until it is moved. */
+class ThingModel {
+  readonly group = new THREE.Group();
+  private readonly back: THREE.Matrix4; // from the world to its frame, as the run began
+  private moved = false;
+
+  constructor(readonly thing: Thing) {
+    this.group.matrixAutoUpdate = false;
+    this.back = pose(thing.position, thing.rotation).invert();
+  }
+
+  /** null: where it was when the run began. */
+  place(moved: MovedThing | null): void {
+    if (moved === null && !this.moved) return;
+    this.moved = moved !== null;
+    if (moved === null) this.group.matrix.identity();
+    else this.group.matrix.multiplyMatrices(pose(moved.position, moved.rotation), this.back);
+    this.group.matrixWorldNeedsUpdate = true;
+  }
+}
+
+function pose(position: [number, number, number], rotation: [number, number, number]): THREE.Matrix4 {
+  return new THREE.Matrix4().makeRotationFromEuler(new THREE.Euler(...rotation, "ZYX"))
+    .setPosition(...position);
+}
+
 class RobotModel {
   readonly group = new THREE.Group();
   readonly fans: Fan[] = []; // of lasers
@@ -320,6 +348,7 @@ export class Stage {
   private content = new THREE.Group();
   private scene: Scene | null = null;
   private robots: RobotModel[] = [];
+  private things: ThingModel[] = []; // in the scene's order
   private sights: Sight[] = []; // in the scene's order: frusta, then radars
   private boxes = new Boxes([], "low");
   private editing = false;
@@ -381,7 +410,15 @@ export class Stage {
     this.boxes = new Boxes(scene.boxes, this.quality);
     this.boxes.setEditing(this.editing);
     this.content.add(this.boxes.group);
-    for (const mesh of scene.meshes) this.content.add(meshOf(mesh, this.quality));
+    this.things = scene.things.map((thing) => new ThingModel(thing));
+    const holders = new Map<number, THREE.Group>(); // by a mesh's id
+    for (const { thing, group } of this.things) {
+      this.content.add(group);
+      for (const id of thing.meshes) holders.set(id, group);
+    }
+    for (const mesh of scene.meshes) {
+      (holders.get(mesh.id) ?? this.content).add(meshOf(mesh, this.quality));
+    }
     scene.robots.forEach((robot, i) => {
       const model = new RobotModel(robot, i, this.quality, scene.shapes[robot.shape]);
       this.robots.push(model);
@@ -428,6 +465,8 @@ export class Stage {
     this.states = frame.robots;
     frame.robots.forEach((state, i) => this.robots[i]?.show(state, seconds, this.layers));
     this.boxes.show(frame);
+    const moved = new Map(frame.movedThings.map((each) => [each.thing, each]));
+    this.things.forEach((thing, i) => thing.place(moved.get(i) ?? null));
     const carried = new Map(frame.movedSights.map((each) => [each.sight, each]));
     this.sights.forEach((sight, i) => sight.place(carried.get(i) ?? null));
     for (const scan of frame.scans) {
@@ -563,6 +602,15 @@ export class Stage {
   setCovered(width: number): void {
     this.covered = width;
     this.resize();
+  }
+
+  /** Corners of the box around a passive object in the world, low and high, m, as drawn. */
+  thingBox(thing: number): [number, number, number][] {
+    const group = this.things[thing]?.group;
+    if (group === undefined) return [];
+    group.updateWorldMatrix(true, true);
+    const { min, max } = new THREE.Box3().setFromObject(group, true);
+    return [min.toArray(), max.toArray()];
   }
 
   /** What cameras and radars see into: the ends of the lines, m, in the world, as drawn. */

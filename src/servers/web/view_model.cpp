@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 #include "base/euler.h"
 #include "base/trig.h"
@@ -150,6 +151,15 @@ ViewModel::ViewModel(const sim::Simulation& simulation) : simulation_(simulation
   };
   for (std::size_t i = 0; i < cameras_.size(); ++i) carry(i, cameras_[i]);
   for (std::size_t i = 0; i < radars_.size(); ++i) carry(cameras_.size() + i, radars_[i]);
+  const auto drawn = [&meshes = simulation.scenario().world.meshes](int id) {
+    return std::any_of(meshes.begin(), meshes.end(),
+                       [id](const scene::Mesh& mesh) { return mesh.id == id && mesh.drawn; });
+  };
+  const std::span<const sim::SceneObject> objects = simulation.world().objects().all();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::vector<int>& parts = objects[i].start.meshes;
+    if (std::any_of(parts.begin(), parts.end(), drawn)) things_.push_back(i);
+  }
   const auto& boxes = simulation.scenario().world.boxes;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (boxes[i].dynamic) dynamic_.push_back(i);
@@ -242,6 +252,7 @@ std::string ViewModel::Scene(const Json& more) const {
                           {"floor", world.has_floor ? Json(Hex(world.floor)) : Json()},
                           {"boxes", std::move(boxes)},
                           {"meshes", std::move(meshes)},
+                          {"things", ThingsScene()},
                           {"lights", std::move(lights)},
                           {"robots", std::move(robots)},
                           {"shapes", std::move(shapes)},
@@ -280,6 +291,19 @@ Json ViewModel::RadarsScene() const {
     radars.push_back(std::move(one));
   }
   return Json(std::move(radars));
+}
+
+Json ViewModel::ThingsScene() const {
+  Json::Array things;
+  for (const std::size_t i : things_) {
+    const scene::PropDef& start = simulation_.world().objects().all()[i].start;
+    things.push_back(
+        Json::Object{{"name", start.name},
+                     {"position", Point(start.position)},
+                     {"rotation", Point(start.rotation)},
+                     {"meshes", Json::Array(start.meshes.begin(), start.meshes.end())}});
+  }
+  return Json(std::move(things));
 }
 
 Json ViewModel::RobotScene(const sim::Robot& robot) const {
@@ -369,6 +393,17 @@ std::string ViewModel::Frame(Seen& seen, double rate, const TimeState& time) {
     out.Place(AboveFloor(*sensor, sensor->mount()), ToEuler(sensor->mount_rotation()));
   }
   out.SetWord(turned_at, turned);
+  const std::size_t carried_at = out.size();
+  std::uint32_t carried = 0;
+  out.Word(0);
+  for (std::size_t i = 0; i < things_.size(); ++i) {
+    const sim::SceneObject& thing = simulation_.world().objects().all()[things_[i]];
+    if (!thing.HasMoved()) continue;
+    ++carried;
+    out.Word(static_cast<std::uint32_t>(i));
+    out.Place(thing.WorldPosition(), ToEuler(thing.WorldRotation()));
+  }
+  out.SetWord(carried_at, carried);
 
   const std::size_t scans_at = out.size();
   std::uint32_t scans = 0;

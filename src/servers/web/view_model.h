@@ -29,8 +29,8 @@ class ViewModel {
     bool operator==(const Seen&) const = default;
   };
 
-  /// What does not change during a run: floor, boxes, meshes, lights, camera, robots with their
-  /// hulls and sensors. JSON, with the members of `more`, an object.
+  /// What does not change during a run: floor, boxes, meshes, things, lights, camera, robots with
+  /// their hulls and sensors. JSON, with the members of `more`, an object.
   std::string Scene(const Json& more) const;
 
   /// The state now, with those scans and rows of the canvas that are new to the viewer. `rate`:
@@ -42,6 +42,7 @@ class ViewModel {
   Json RobotScene(const sim::Robot& robot) const;
   Json FrustaScene() const;
   Json RadarsScene() const;
+  Json ThingsScene() const;
 
   const sim::Simulation& simulation_;
   std::vector<const sim::LaserScanner*> lasers_;  // of all robots, by robot, then as mounted
@@ -51,6 +52,7 @@ class ViewModel {
   // Cameras, then radars: those that something carries, by their place.
   std::vector<std::pair<std::size_t, const sim::Sensor*>> carried_;
   std::vector<std::size_t> dynamic_;  // boxes, by their place in the scene
+  std::vector<std::size_t> things_;   // passive objects that are drawn, by theirs in the world
   int canvas_width_ = 0;
   int canvas_height_ = 0;
   std::uint64_t canvas_revision_ = 0;
