@@ -472,6 +472,21 @@ viewOf("camera frusta and radar cones are drawn as their components' properties 
     assert.deepEqual(await shown(), [true]);
   });
 
+// --- The scenario's camera
+
+// Blender's angles: first about x, then y, then z. Its middle is that of what the panel leaves free.
+const TURNED = [0.7, 0, 0.9];
+viewOf("at first the page looks where the scenario's camera does, turned as MORSE has it", {
+  camera: { position: placed([0, 0, 2.5], TURNED, [1.2, 2.0, 0]), rotation: TURNED },
+  robots: [{ name: "s1r", pose: { x: 1.2, y: 2.0, yaw: 0 } }],
+}, async (page) => {
+  const drawn = await page.evaluate(() => window.ccmorse.frames());
+  await page.waitForFunction((n) => window.ccmorse.frames() > n + 2, drawn);
+  const [at, free] = await page.evaluate(() => [
+    window.ccmorse.find(0), innerWidth - document.getElementById("panel").offsetWidth]);
+  assertNear(at, { x: free / 2, y: 200 }, 12);
+});
+
 // --- Things
 
 // A wedge, of which one can see how it is turned.

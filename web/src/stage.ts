@@ -29,6 +29,7 @@ const FIELD = 42; // degrees from top to bottom, on a screen that is
 const WIDE = 1.5; // times as wide as high, or more
 const WIDEST = 80; // degrees
 const TINT_REACH = 10; // lengths of a robot, as far as what its cameras see is tinted
+const SHADOWS = 4; // m around where the camera looks, at least, that have shadows
 const SLAB_COLOR = 0x5c636b; // beneath the floor
 
 // Of its floor, m.
@@ -348,6 +349,7 @@ export class Stage {
   private content = new THREE.Group();
   private scene: Scene | null = null;
   private robots: RobotModel[] = [];
+  private sun: { light: THREE.DirectionalLight; from: THREE.Vector3; half: number } | null = null;
   private things: ThingModel[] = []; // in the scene's order
   private sights: Sight[] = []; // in the scene's order: frusta, then radars
   private boxes = new Boxes([], "low");
@@ -498,9 +500,10 @@ export class Stage {
     if (scene === null) return;
     const middle = middleOf(scene);
     if (kind === "orbit") {
-      // The scenario's camera: Euler angles XYZ, (0, 0, 0) looks straight down.
+      // The scenario's camera: MORSE's Euler angles XYZ, which are three's ZYX; (0, 0, 0) looks
+      // straight down.
       const { position, rotation } = scene.camera;
-      const looks = new THREE.Vector3(0, 0, -1).applyEuler(new THREE.Euler(...rotation, "XYZ"));
+      const looks = new THREE.Vector3(0, 0, -1).applyEuler(new THREE.Euler(...rotation, "ZYX"));
       this.camera.position.set(...position);
       const reach = looks.z < -0.05 ? position[2] / -looks.z : middle.distanceTo(this.camera.position);
       this.controls.target.copy(this.camera.position).addScaledVector(looks, reach);
@@ -656,24 +659,18 @@ export class Stage {
   }
 
   private addLights(scene: Scene): void {
-    const size = Math.max(scene.size_x, scene.size_y);
     const middle = middleOf(scene);
     const sunAt = scene.lights.find((light) => light.kind === "sun")?.position;
     const sun = new THREE.DirectionalLight(0xfff4e2, 2.1);
     const from = new THREE.Vector3(...(sunAt ?? [-0.5, -0.7, 1.4])).normalize();
     if (from.x === 0 && from.y === 0) from.set(-0.35, -0.5, 1).normalize();
-    sun.position.copy(middle).addScaledVector(from, 2.5 * size);
-    sun.target.position.copy(middle);
     sun.castShadow = true;
     const texels = this.quality === "high" ? 2048 : 1024;
     sun.shadow.mapSize.set(texels, texels);
-    const half = 0.75 * size;
-    Object.assign(sun.shadow.camera, {
-      left: -half, right: half, top: half, bottom: -half, near: 0.1, far: 6 * size,
-    });
-    sun.shadow.normalBias = 0.01;
     sun.shadow.radius = 4;
     this.content.add(sun, sun.target);
+    this.sun = { light: sun, from, half: 0 };
+    this.aimSun();
     for (const light of scene.lights) {
       if (light.kind !== "spot" || this.quality === "low") continue;
       const spot = new THREE.SpotLight(0xffffff, 2.5 * light.energy, 0, Math.PI / 4, 0.8, 1.6);
@@ -681,6 +678,33 @@ export class Stage {
       spot.target.position.copy(middle);
       this.content.add(spot, spot.target);
     }
+  }
+
+  /** Its shadows are as fine as they are many: those of a large world are around where one looks. */
+  private aimSun(): void {
+    if (this.sun === null || this.scene === null) return;
+    const { light, from } = this.sun;
+    const size = Math.max(this.scene.size_x, this.scene.size_y);
+    const far = this.camera.position.distanceTo(this.controls.target);
+    // In steps, so that what stands still keeps its shadow's edge.
+    const near = SHADOWS * 2 ** Math.max(0, Math.ceil(Math.log2((2 * far) / SHADOWS)));
+    const half = Math.min(0.75 * size, near);
+    const to = middleOf(this.scene);
+    if (near < 0.75 * size) {
+      const step = half / 4;
+      to.copy(this.controls.target).divideScalar(step).round().multiplyScalar(step);
+    }
+    if (half === this.sun.half && to.equals(light.target.position)) return;
+    this.sun.half = half;
+    light.position.copy(to).addScaledVector(from, 2.5 * size);
+    light.target.position.copy(to);
+    light.target.updateMatrixWorld();
+    Object.assign(light.shadow.camera, {
+      left: -half, right: half, top: half, bottom: -half, near: 0.1, far: 6 * size,
+    });
+    light.shadow.camera.updateProjectionMatrix();
+    // As wide as what one of its points covers, or surfaces shade themselves in stripes.
+    light.shadow.normalBias = Math.max(0.01, (3 * half) / light.shadow.mapSize.x);
   }
 
   private showCanvas(frame: Frame): void {
@@ -751,6 +775,7 @@ export class Stage {
     // From its own eyes a robot does not see itself, and what it sees into would tint all of it.
     robot?.showBody(this.kind !== "robot");
     robot?.showSights(this.layers.sights && this.kind !== "robot");
+    this.aimSun();
     // Shadows of what moves little may be a few frames late where each costs.
     if (this.quality === "low" && this.frames % 4 === 0) this.renderer.shadowMap.needsUpdate = true;
     this.renderer.render(this.world, this.camera);
