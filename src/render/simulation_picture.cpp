@@ -205,6 +205,14 @@ void AddFloor(const sim::Simulation& simulation, bool canvas_shown, PictureScene
   };
 }
 
+// m above the floor, of a robot's body, as it began: 0 unless it is in the air.
+double FootOf(const scene::RobotModel& model) {
+  constexpr double kInTheAir = 0.3;  // m
+  double foot = model.hull.empty() ? 0.0 : model.hull[0].bottom;
+  for (const scene::HullPart& part : model.hull) foot = std::min(foot, part.bottom);
+  return foot > kInTheAir ? foot : 0.0;
+}
+
 const sim::Robot& RobotOf(const sim::Simulation& simulation, const std::string& name) {
   if (simulation.robots().empty()) throw Error("there is no robot for a camera to go with");
   if (name.empty()) return *simulation.robots().front();
@@ -263,13 +271,16 @@ Camera FindCamera(const sim::Simulation& simulation, const std::string& name, do
     const Pose2& pose = robot.pose();
     if (kind == "follow") {
       // As far behind as the robot is large: 0.9 m for one of SyRoTek's.
-      const double far = std::max(1.0, 2.8 * std::max(robot.model().length, robot.model().height));
-      const Vec3 up{0.0, 0.0, robot.lift()};
+      const double foot = FootOf(robot.model());
+      const double high = robot.model().height - foot;
+      const double far = std::max(1.0, 2.8 * std::max(robot.model().length, high));
+      const Vec3 up{0.0, 0.0, robot.lift() + foot};
       return Camera::LookAt(OnRobot(pose, far * Vec3{-0.9, 0.0, 0.65}) + up,
                             OnRobot(pose, far * Vec3{0.15, 0.0, 0.05}) + up);
     }
     const double eye = robot.lift() + robot.model().height + 0.03;
-    const double there = robot.lift() + 0.7 * (robot.model().height + 0.03);
+    const double foot = FootOf(robot.model());
+    const double there = robot.lift() + foot + 0.7 * (robot.model().height - foot + 0.03);
     return Camera::LookAt(OnRobot(pose, {0.0, 0.0, eye}), OnRobot(pose, {1.0, 0.0, there}));
   }
   throw Error("there is no camera '" + name +

@@ -228,6 +228,25 @@ TEST(RenderedPicture, ShowsRaisedObstaclesOnly) {
   EXPECT_GT(triangles(), down);
 }
 
+// One that begins 5 m above the floor is as far away and as high as one that stands there.
+TEST(Camera, FollowsARobotInTheAir) {
+  const auto place = [](double up) {
+    const auto height = [up](double z) { return std::to_string(up + z); };
+    const sim::Simulation simulation(SyrotekWith(
+        R"(, "robots": [{"name": "r", "type": "Custom", "pose": {"x": 1.2, "y": 2.0, "yaw": 0},
+             "body": {"origin_height": )" +
+        height(0.0) + R"(, "footprint": [[0.1, -0.1], [0.1, 0.1], [-0.1, 0.1], [-0.1, -0.1]],
+             "hull": [{"outline": [[0.1, -0.1], [0.1, 0.1], [-0.1, 0.1], [-0.1, -0.1]],
+             "bottom": )" +
+        height(0.0) + R"(, "top": )" + height(0.3) + "}]}}]"));
+    return FindCamera(simulation, "follow", 1.5);
+  };
+  const Camera standing = place(0.0);
+  const Camera flying = place(5.0);
+  ExpectNear(flying.position, standing.position + Vec3{0, 0, 5}, 1e-6);
+  ExpectNear(flying.Direction(0, 0), standing.Direction(0, 0), 1e-6);
+}
+
 // A sheet that a gripper has: where it was there is the floor, and where it is, it is turned.
 TEST(RenderedPicture, ShowsAThingWhereItsGripperHasIt) {
   sim::Simulation simulation(SyrotekWith(R"(, "robots": [{"name": "porter",

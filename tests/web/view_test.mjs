@@ -487,6 +487,22 @@ viewOf("at first the page looks where the scenario's camera does, turned as MORS
   assertNear(at, { x: free / 2, y: 200 }, 12);
 });
 
+viewOf("the camera that follows goes with a robot in the air", {
+  robots: [{
+    name: "kite", type: "Custom", pose: { x: 1.2, y: 2.0, yaw: 0 },
+    body: {
+      footprint: FOOTPRINT, hull: [{ outline: FOOTPRINT, bottom: 5, top: 5.2 }], origin_height: 5,
+    },
+  }],
+}, async (page) => {
+  await page.keyboard.press("2");
+  const drawn = await page.evaluate(() => window.ccmorse.frames());
+  await page.waitForFunction((n) => window.ccmorse.frames() > n + 2, drawn);
+  const [at, free] = await page.evaluate(() => [
+    window.ccmorse.find(0), innerWidth - document.getElementById("panel").offsetWidth]);
+  assertNear(at, { x: free / 2, y: 200 }, 12);
+});
+
 // --- Things
 
 // A wedge, of which one can see how it is turned.

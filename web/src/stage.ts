@@ -29,6 +29,7 @@ const FIELD = 42; // degrees from top to bottom, on a screen that is
 const WIDE = 1.5; // times as wide as high, or more
 const WIDEST = 80; // degrees
 const TINT_REACH = 10; // lengths of a robot, as far as what its cameras see is tinted
+const IN_THE_AIR = 0.3; // m: a robot whose body is higher does not stand on the floor
 const SHADOWS = 4; // m around where the camera looks, at least, that have shadows
 const SLAB_COLOR = 0x5c636b; // beneath the floor
 
@@ -215,6 +216,7 @@ class RobotModel {
   readonly cones: { fan: Fan; sensor: number; index: number }[] = [];
   readonly sights: Sight[] = []; // of cameras and radars
   readonly trail: Trail;
+  readonly foot: number; // m above the floor at first, of its body: one may begin in the air
   readonly tag: THREE.Sprite;
   private readonly wheels: THREE.Group[] = [];
   private readonly arrow: THREE.ArrowHelper;
@@ -226,6 +228,8 @@ class RobotModel {
     shape: Mesh[] | undefined,
   ) {
     this.group.rotation.order = "ZYX";
+    const bottom = Math.min(...robot.hull.map((part) => part.bottom));
+    this.foot = Number.isFinite(bottom) && bottom > IN_THE_AIR ? bottom : 0;
     const body =
       quality === "high"
         ? new THREE.MeshPhysicalMaterial({
@@ -285,7 +289,7 @@ class RobotModel {
       const turn = ((side === 0 ? -1 : 1) * state.w * this.robot.wheel_track) / 2;
       wheel.rotation.y += ((state.v + turn) * seconds) / this.robot.wheel_radius;
     });
-    this.trail.add(state.x, state.y, state.z);
+    this.trail.add(state.x, state.y, state.z + this.foot);
     this.trail.line.visible = layers.trails;
     this.tag.visible = layers.names;
     this.arrow.visible = layers.speeds && Math.abs(state.v) > 1e-3;
@@ -517,10 +521,11 @@ export class Stage {
       if (state !== undefined) {
         // As far behind as the robot is large.
         const far = Math.max(0.9, 2.5 * (this.robots[this.chosen]?.robot.length ?? 0));
-        this.controls.target.set(state.x, state.y, state.z + 0.1);
+        const foot = state.z + (this.robots[this.chosen]?.foot ?? 0);
+        this.controls.target.set(state.x, state.y, foot + 0.1);
         this.camera.position.set(
           state.x - far * Math.cos(state.yaw), state.y - far * Math.sin(state.yaw),
-          state.z + (0.65 / 0.9) * far);
+          foot + (0.65 / 0.9) * far);
       }
     }
     this.controls.update();
@@ -552,7 +557,7 @@ export class Stage {
   /** Where a robot is on the page. */
   find(robot: number): { x: number; y: number } {
     const model = this.robots[robot];
-    const at = new THREE.Vector3(0, 0, (model?.robot.height ?? 0) / 2);
+    const at = new THREE.Vector3(0, 0, ((model?.foot ?? 0) + (model?.robot.height ?? 0)) / 2);
     return this.placeOf(model === undefined ? at : at.add(model.group.position));
   }
 
@@ -761,7 +766,7 @@ export class Stage {
     const robot = this.robots[this.chosen];
     if (state !== undefined && robot !== undefined) {
       if (this.kind === "follow") {
-        const to = new THREE.Vector3(state.x, state.y, state.z + 0.1);
+        const to = new THREE.Vector3(state.x, state.y, state.z + robot.foot + 0.1);
         this.camera.position.add(to.clone().sub(this.controls.target));
         this.controls.target.copy(to);
       } else if (this.kind === "robot") {
