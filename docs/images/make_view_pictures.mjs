@@ -1,5 +1,5 @@
-// Makes docs/images/view.png, view-obstacles.png and view-plots.png from the live view itself: node docs/images/make_view_pictures.mjs, after
-// ./check has built everything. Takes a minute where a processor has to draw.
+// Makes docs/images/view.png, view-obstacles.png, view-plots.png and view-sights.png from the live view itself:
+// node docs/images/make_view_pictures.mjs, after ./check has built everything. Takes a minute where a processor has to draw.
 import { spawn } from "node:child_process";
 import { createRequire } from "node:module";
 
@@ -16,15 +16,24 @@ const PLACES = {
   s1r_5: [2.65, 2.0, 2.0],
 };
 
-const simulator = spawn(`${root}build/release/bin/ccmorse`, ["run", "docks", "--port", "0"]);
-const address = await new Promise((resolve) => {
-  let output = "";
-  simulator.stdout.on("data", (data) => {
-    output += data;
-    const found = /^View at (\S+)$/m.exec(output);
-    if (found !== null) resolve(found[1]);
+const simulators = [];
+
+/** Runs a scenario; the address of its view. */
+function run(scenario) {
+  const simulator = spawn(`${root}build/release/bin/ccmorse`,
+    ["run", scenario, "--port", "0", "--stream-port", "0", "--view-port", "0", "--no-player"]);
+  simulators.push(simulator);
+  return new Promise((resolve) => {
+    let output = "";
+    simulator.stdout.on("data", (data) => {
+      output += data;
+      const found = /^View at (\S+)$/m.exec(output);
+      if (found !== null) resolve(found[1]);
+    });
   });
-});
+}
+
+const address = await run("docks");
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
   args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
@@ -35,10 +44,13 @@ try {
   page.setDefaultTimeout(300_000);
   await page.goto(`${address}?quality=high`);
   await page.waitForFunction(() => window.ccmorse?.frame() !== null);
-  for (const [robot, [x, y, yaw]] of Object.entries(PLACES)) {
-    await page.evaluate((args) => window.ccmorse.call("simulation", "set_object_position", args),
-      [robot, [x, y, 0], [0, 0, yaw]]);
-  }
+  const placeRobots = async () => {
+    for (const [robot, [x, y, yaw]] of Object.entries(PLACES)) {
+      await page.evaluate((args) => window.ccmorse.call("simulation", "set_object_position", args),
+        [robot, [x, y, 0], [0, 0, yaw]]);
+    }
+  };
+  await placeRobots();
   await page.evaluate(() => window.ccmorse.look([1.05, 0.15, 1.75], [1.62, 2.1, 0]));
   const from = await page.evaluate(() => window.ccmorse.frames());
   await page.waitForFunction((n) => window.ccmorse.frames() > n + 4, from);
@@ -71,6 +83,7 @@ try {
   await page.emulateMedia({ colorScheme: "dark" });
   await page.goto(`${address}?quality=low`);
   await page.waitForFunction(() => window.ccmorse?.frame() !== null);
+  await placeRobots();
   await page.evaluate(() => {
     window.ccmorse.look([1.05, 0.15, 1.75], [1.62, 2.1, 0]);
     document.getElementById("plots").open = true;
@@ -85,7 +98,16 @@ try {
   await page.locator("#plots").evaluate((plots) => plots.scrollIntoView());
   await page.waitForTimeout(500);
   await page.screenshot({ path: `${root}docs/images/view-plots.png` });
+
+  // What a camera and a radar see into.
+  await page.emulateMedia({ colorScheme: "light" });
+  await page.goto(`${await run(`${root}docs/images/sights.json`)}?quality=high`);
+  await page.waitForFunction(() => window.ccmorse?.frame() !== null);
+  await page.evaluate(() => window.ccmorse.look([0.75, 0.75, 1.15], [1.6, 2.3, 0.05]));
+  const sightsFrom = await page.evaluate(() => window.ccmorse.frames());
+  await page.waitForFunction((n) => window.ccmorse.frames() > n + 4, sightsFrom);
+  await page.screenshot({ path: `${root}docs/images/view-sights.png` });
 } finally {
   await browser.close();
-  simulator.kill("SIGINT");
+  for (const simulator of simulators) simulator.kill("SIGINT");
 }

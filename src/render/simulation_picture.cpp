@@ -120,10 +120,29 @@ void AddRobot(const sim::Robot& robot, const Parts& parts, const PictureOptions&
   }
 }
 
-void AddMesh(const scene::Mesh& mesh, PictureScene& scene) {
-  if (mesh.drawn)
+// `thing`: the passive object that it is a part of, nullptr where it is none.
+void AddMesh(const scene::Mesh& mesh, const sim::SceneObject* thing, PictureScene& scene) {
+  if (!mesh.drawn) return;
+  if (thing == nullptr || !thing->HasMoved()) {
     AddTriangles(
         mesh, [](const Vec3& v) { return v; }, scene);
+    return;
+  }
+  const Vec3 from = thing->start.position;
+  const Vec3& euler = thing->start.rotation;
+  const Rotation before = FromEuler(euler.x, euler.y, euler.z);
+  const Vec3 to = thing->WorldPosition();
+  const Rotation now = thing->WorldRotation();
+  AddTriangles(
+      mesh, [&](const Vec3& v) { return to + Rotate(now, RotateBack(before, v - from)); }, scene);
+}
+
+const sim::SceneObject* ThingOf(const scene::Mesh& mesh, const sim::World& world) {
+  for (const sim::SceneObject& object : world.objects().all()) {
+    const std::vector<int>& parts = object.start.meshes;
+    if (std::find(parts.begin(), parts.end(), mesh.id) != parts.end()) return &object;
+  }
+  return nullptr;
 }
 
 void AddLamps(const scene::World& world, PictureScene& scene) {
@@ -186,6 +205,14 @@ void AddFloor(const sim::Simulation& simulation, bool canvas_shown, PictureScene
   };
 }
 
+// m above the floor, of a robot's body, as it began: 0 unless it is in the air.
+double FootOf(const scene::RobotModel& model) {
+  constexpr double kInTheAir = 0.3;  // m
+  double foot = model.hull.empty() ? 0.0 : model.hull[0].bottom;
+  for (const scene::HullPart& part : model.hull) foot = std::min(foot, part.bottom);
+  return foot > kInTheAir ? foot : 0.0;
+}
+
 const sim::Robot& RobotOf(const sim::Simulation& simulation, const std::string& name) {
   if (simulation.robots().empty()) throw Error("there is no robot for a camera to go with");
   if (name.empty()) return *simulation.robots().front();
@@ -210,7 +237,9 @@ void ShowSimulation(const sim::Simulation& simulation, const PictureOptions& opt
     scene.AddPrism(box.pose, outline, 0.0, box.height, kBevel,
                    scene.AddMaterial({Linear(box.color), 0.04, 0.5, false}));
   }
-  for (const scene::Mesh& mesh : world.meshes) AddMesh(mesh, scene);
+  for (const scene::Mesh& mesh : world.meshes) {
+    AddMesh(mesh, ThingOf(mesh, simulation.world()), scene);
+  }
   const Parts parts = {scene.AddMaterial({{0.016, 0.019, 0.024}, 0.04, 0.45, false}),
                        scene.AddMaterial({{0.012, 0.012, 0.012}, 0.03, 0.7, false}),
                        scene.AddMaterial({{0.72, 0.74, 0.76}, 0.0, 0.3, true}),
@@ -242,13 +271,16 @@ Camera FindCamera(const sim::Simulation& simulation, const std::string& name, do
     const Pose2& pose = robot.pose();
     if (kind == "follow") {
       // As far behind as the robot is large: 0.9 m for one of SyRoTek's.
-      const double far = std::max(1.0, 2.8 * std::max(robot.model().length, robot.model().height));
-      const Vec3 up{0.0, 0.0, robot.lift()};
+      const double foot = FootOf(robot.model());
+      const double high = robot.model().height - foot;
+      const double far = std::max(1.0, 2.8 * std::max(robot.model().length, high));
+      const Vec3 up{0.0, 0.0, robot.lift() + foot};
       return Camera::LookAt(OnRobot(pose, far * Vec3{-0.9, 0.0, 0.65}) + up,
                             OnRobot(pose, far * Vec3{0.15, 0.0, 0.05}) + up);
     }
     const double eye = robot.lift() + robot.model().height + 0.03;
-    const double there = robot.lift() + 0.7 * (robot.model().height + 0.03);
+    const double foot = FootOf(robot.model());
+    const double there = robot.lift() + foot + 0.7 * (robot.model().height - foot + 0.03);
     return Camera::LookAt(OnRobot(pose, {0.0, 0.0, eye}), OnRobot(pose, {1.0, 0.0, there}));
   }
   throw Error("there is no camera '" + name +

@@ -47,6 +47,17 @@ Rotation SceneObject::WorldRotation() const {
   return held() ? Combined(PlaceOfHolder(*this).rotation, rotation) : rotation;
 }
 
+bool SceneObject::HasMoved() const {
+  if (robot != nullptr) return false;
+  const auto same = [](const Vec3& a, const Vec3& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+  };
+  const Rotation now = WorldRotation();
+  const Rotation before = FromEuler(start.rotation.x, start.rotation.y, start.rotation.z);
+  return !same(WorldPosition(), start.position) || !same(now.x, before.x) ||
+         !same(now.y, before.y) || !same(now.z, before.z);
+}
+
 bool SceneObject::Has(std::string_view property) const {
   return (robot != nullptr && property == "Robot_Tag") || properties.Find(property) != nullptr;
 }

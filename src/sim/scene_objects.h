@@ -32,6 +32,8 @@ struct SceneObject {
   /// Where it is in the world now.
   Vec3 WorldPosition() const;
   Rotation WorldRotation() const;
+  /// Is a passive object elsewhere than at the start, or turned?
+  bool HasMoved() const;
 
   /// Does anybody have it?
   bool held() const { return holder != nullptr || bearer != nullptr; }

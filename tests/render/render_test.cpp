@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/polygon.h"
 #include "base/trig.h"
 #include "render/denoise.h"
 #include "render/path_tracer.h"
@@ -225,6 +226,59 @@ TEST(RenderedPicture, ShowsRaisedObstaclesOnly) {
   const std::size_t down = triangles();
   for (scene::Box& box : scenario.world.boxes) box.raised = true;
   EXPECT_GT(triangles(), down);
+}
+
+// One that begins 5 m above the floor is as far away and as high as one that stands there.
+TEST(Camera, FollowsARobotInTheAir) {
+  const auto place = [](double up) {
+    const auto height = [up](double z) { return std::to_string(up + z); };
+    const sim::Simulation simulation(SyrotekWith(
+        R"(, "robots": [{"name": "r", "type": "Custom", "pose": {"x": 1.2, "y": 2.0, "yaw": 0},
+             "body": {"origin_height": )" +
+        height(0.0) + R"(, "footprint": [[0.1, -0.1], [0.1, 0.1], [-0.1, 0.1], [-0.1, -0.1]],
+             "hull": [{"outline": [[0.1, -0.1], [0.1, 0.1], [-0.1, 0.1], [-0.1, -0.1]],
+             "bottom": )" +
+        height(0.0) + R"(, "top": )" + height(0.3) + "}]}}]"));
+    return FindCamera(simulation, "follow", 1.5);
+  };
+  const Camera standing = place(0.0);
+  const Camera flying = place(5.0);
+  ExpectNear(flying.position, standing.position + Vec3{0, 0, 5}, 1e-6);
+  ExpectNear(flying.Direction(0, 0), standing.Direction(0, 0), 1e-6);
+}
+
+// A sheet that a gripper has: where it was there is the floor, and where it is, it is turned.
+TEST(RenderedPicture, ShowsAThingWhereItsGripperHasIt) {
+  sim::Simulation simulation(SyrotekWith(R"(, "robots": [{"name": "porter",
+      "pose": {"x": 1.2, "y": 2.0, "yaw": 0}, "components": [{"name": "hand", "type": "Gripper"}]}],
+      "props": [{"name": "sheet", "file": "", "position": [1.5, 2, 0.3], "rotation": [0, 0, 0.5],
+                 "shape": [{"vertices": [[-0.1, 0, 0], [0.1, -0.02, 0], [0.1, 0.02, 0]],
+                            "triangles": [[0, 1, 2]], "color": "#ff0000"}]}])"));
+  const auto is_red = [&simulation](double x, double y) {
+    PictureScene scene;
+    ShowSimulation(simulation, {}, scene);
+    scene.Build(10.0);
+    RenderOptions options;
+    options.width = options.height = 1;
+    options.samples = 1;
+    Camera camera = Camera::LookAt({x, y, 2}, {x, y, 0});
+    camera.fov_deg = 0.01;
+    const Vec3 albedo = TracePaths(scene, camera, options).albedo[0];
+    return albedo.x > 0.5 && albedo.y < 0.1;
+  };
+  // The tip of the sheet's broad end, from its middle.
+  const Vec2 tip = Transform({0, 0, 0.5}, {0.09, 0});
+  EXPECT_TRUE(is_red(1.5, 2.0));
+  EXPECT_TRUE(is_red(1.5 + tip.x, 2.0 + tip.y));
+  sim::SceneObjects::SetHolder(*simulation.world().objects().Find("sheet"),
+                               simulation.FindComponent("porter.hand"));
+  EXPECT_TRUE(is_red(1.5 + tip.x, 2.0 + tip.y)) << "not moved so far";
+  simulation.robots()[0]->Place({2.0, 2.4, kPi / 2.0});
+  EXPECT_FALSE(is_red(1.5, 2.0));
+  EXPECT_TRUE(is_red(2.0, 2.7));
+  EXPECT_TRUE(is_red(2.0 - tip.y, 2.7 + tip.x));
+  simulation.ResetObjects();
+  EXPECT_TRUE(is_red(1.5 + tip.x, 2.0 + tip.y));
 }
 
 TEST(RenderedPicture, LasersAreFansBeforeWhatIsBehind) {

@@ -18,9 +18,11 @@ const CAMERAS: { kind: CameraKind; name: string; title: string }[] = [
   { kind: "top", name: "Top", title: "From above (3)" },
   { kind: "robot", name: "Robot", title: "Through the chosen robot's eyes (4)" },
 ];
-const LAYERS: { key: keyof Layers; name: string }[] = [
-  { key: "lasers", name: "Laser scans" },
-  { key: "rings", name: "Sonar and infra-red" },
+// `sensors`: whose; without any in the scene there is nothing to be switched.
+const LAYERS: { key: keyof Layers; name: string; sensors?: (scene: Scene) => unknown[] }[] = [
+  { key: "lasers", name: "Laser scans", sensors: ({ lasers }) => lasers },
+  { key: "rings", name: "Sonar and infra-red", sensors: ({ rings }) => rings },
+  { key: "sights", name: "Fields of view", sensors: ({ frusta, radars }) => [...frusta, ...radars] },
   { key: "trails", name: "Trails" },
   { key: "speeds", name: "Speeds" },
   { key: "names", name: "Names" },
@@ -104,6 +106,14 @@ for (const { key, name } of LAYERS) {
   };
   label.append(box, name);
   element("layers").append(label);
+}
+
+function allowLayers(of: Scene): void {
+  for (const { key, sensors } of LAYERS) {
+    const box = document.querySelector<HTMLInputElement>(`#layers input[name=${key}]`)!;
+    box.disabled = sensors?.(of).length === 0;
+    box.parentElement!.title = box.disabled ? "No robot here has such a sensor" : "";
+  }
 }
 
 const markMode = radioRow(
@@ -458,6 +468,7 @@ const connection = new Connection({
     log.clear();
     timeBar.setScene(sent);
     stage.setScene(sent);
+    allowLayers(sent);
     listRobots(sent);
     devices.setScene(sent);
     canvasLayers.setScene(sent);
@@ -508,6 +519,8 @@ declare global {
       frame(): Frame | null;
       find(robot: number): { x: number; y: number };
       findBox(id: number): { x: number; y: number } | null;
+      boxAround(thing: string): Point[];
+      sights(): { name: string; shown: boolean; corners: Point[] }[];
       look(from: Point, at: Point): void;
       call(component: string, service: string, args: unknown[]): Promise<unknown>;
     };
@@ -524,6 +537,9 @@ window.ccmorse = {
     const place = stage.boxPlace(scene?.boxes.findIndex((box) => box.id === id) ?? -1);
     return place === null ? null : stage.placeOf(place);
   },
+  boxAround: (name) =>
+    stage.thingBox(scene?.things.findIndex((thing) => thing.name === name) ?? -1),
+  sights: () => stage.sightLines(),
   look: (from, at) => stage.look(from, at),
   call: (component, service, args) => connection.call(component, service, args),
 };

@@ -24,6 +24,14 @@ export interface Mesh {
   triangles: [number, number, number][];
 }
 
+/** A passive object, as the run began. */
+export interface Thing {
+  name: string;
+  position: [number, number, number]; // m
+  rotation: [number, number, number]; // roll, pitch, yaw, rad
+  meshes: number[]; // ids of those that it is made of
+}
+
 export interface Light {
   kind: "sun" | "spot";
   position: [number, number, number];
@@ -71,6 +79,28 @@ export interface Ring {
   poses: [number, number, number, number][]; // x, y, height above the floor, m; yaw, rad
 }
 
+/** What a camera sees into: a pyramid along its x without its top. */
+export interface Frustum {
+  robot: number;
+  name: string;
+  position: [number, number, number]; // on the robot; z above the floor, m
+  rotation: [number, number, number]; // there: roll, pitch, yaw, rad
+  near: number; // m
+  far: number; // m
+  half_width: number; // m to each side at 1 m
+  half_height: number; // m up and down at 1 m
+}
+
+/** What a radar sees into: a cone around its x, of a ball. */
+export interface Radar {
+  robot: number;
+  name: string;
+  position: [number, number, number];
+  rotation: [number, number, number];
+  angle: number; // rad, full
+  range: number; // m
+}
+
 export type CanvasMode = "ground" | "minimap" | "fullscreen";
 
 export interface Scene {
@@ -82,11 +112,14 @@ export interface Scene {
   floor: number | null; // null: meshes are the ground
   boxes: Box[];
   meshes: Mesh[];
+  things: Thing[];
   lights: Light[];
   robots: Robot[];
   shapes: Mesh[][];
   lasers: Laser[];
   rings: Ring[];
+  frusta: Frustum[];
+  radars: Radar[];
   camera: { position: [number, number, number]; rotation: [number, number, number] };
   canvas: { alpha: number; mode: CanvasMode; mode_switching: boolean };
   read_only: boolean;
@@ -125,6 +158,18 @@ export interface MovedBox {
   yaw: number;
 }
 
+export interface MovedSight {
+  sight: number; // index into frusta, then radars
+  position: [number, number, number]; // as in the scene
+  rotation: [number, number, number];
+}
+
+export interface MovedThing {
+  thing: number; // its place in the scene
+  position: [number, number, number]; // m
+  rotation: [number, number, number]; // rad
+}
+
 export interface Frame {
   paused: boolean;
   time: number; // s, simulated
@@ -134,6 +179,8 @@ export interface Frame {
   boxes: Uint8Array; // one a box: BOX_UP, BOX_WAITING
   moved: MovedBox[]; // those that are elsewhere than in the scene
   arenaEvents: number; // so far
+  movedSights: MovedSight[]; // those that their robot has elsewhere than in the scene
+  movedThings: MovedThing[]; // those that are elsewhere than in the scene
   scans: Scan[];
   canvasWidth: number; // cells
   canvasHeight: number;
@@ -177,6 +224,15 @@ export function readFrame(buffer: ArrayBuffer): Frame {
     moved.push({ box: word(), x: single(), y: single(), yaw: single() });
   }
   const arenaEvents = word();
+  const point = (): [number, number, number] => [single(), single(), single()];
+  const movedSights: MovedSight[] = [];
+  for (let left = word(); left > 0; --left) {
+    movedSights.push({ sight: word(), position: point(), rotation: point() });
+  }
+  const movedThings: MovedThing[] = [];
+  for (let left = word(); left > 0; --left) {
+    movedThings.push({ thing: word(), position: point(), rotation: point() });
+  }
   const scans: Scan[] = [];
   for (let left = word(); left > 0; --left) {
     const sensor = word();
@@ -195,7 +251,7 @@ export function readFrame(buffer: ArrayBuffer): Frame {
     at += 4 * canvasWidth;
   }
   return {
-    paused, time, rate, speed, robots, boxes, moved, arenaEvents, scans,
+    paused, time, rate, speed, robots, boxes, moved, arenaEvents, movedSights, movedThings, scans,
     canvasWidth, canvasHeight, canvasLayers, rows,
   };
 }

@@ -2,14 +2,18 @@ import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 import { Boxes } from "./boxes";
-import type { Frame, Laser, Mesh, Robot, RobotState, Scene } from "./protocol";
+import type {
+  Frame, Laser, Mesh, MovedThing, Robot, RobotState, Scene, Thing,
+} from "./protocol";
 import { type Quality, prism, surface } from "./shapes";
+import { Sight } from "./sights";
 
 export type CameraKind = "orbit" | "follow" | "top" | "robot";
 
 export interface Layers {
   lasers: boolean;
   rings: boolean;
+  sights: boolean;
   trails: boolean;
   speeds: boolean;
   names: boolean;
@@ -24,6 +28,9 @@ const RING_COLOR = 0xffa028;
 const FIELD = 42; // degrees from top to bottom, on a screen that is
 const WIDE = 1.5; // times as wide as high, or more
 const WIDEST = 80; // degrees
+const TINT_REACH = 10; // lengths of a robot, as far as what its cameras see is tinted
+const IN_THE_AIR = 0.3; // m: a robot whose body is higher does not stand on the floor
+const SHADOWS = 4; // m around where the camera looks, at least, that have shadows
 const SLAB_COLOR = 0x5c636b; // beneath the floor
 
 // Of its floor, m.
@@ -177,11 +184,39 @@ function meshOf(mesh: Mesh, quality: Quality): THREE.Mesh {
   return body;
 }
 
+/** A passive object: its meshes, which stand where they did in the scene until it is moved. */
+class ThingModel {
+  readonly group = new THREE.Group();
+  private readonly back: THREE.Matrix4; // from the world to its frame, as the run began
+  private moved = false;
+
+  constructor(readonly thing: Thing) {
+    this.group.matrixAutoUpdate = false;
+    this.back = pose(thing.position, thing.rotation).invert();
+  }
+
+  /** null: where it was when the run began. */
+  place(moved: MovedThing | null): void {
+    if (moved === null && !this.moved) return;
+    this.moved = moved !== null;
+    if (moved === null) this.group.matrix.identity();
+    else this.group.matrix.multiplyMatrices(pose(moved.position, moved.rotation), this.back);
+    this.group.matrixWorldNeedsUpdate = true;
+  }
+}
+
+function pose(position: [number, number, number], rotation: [number, number, number]): THREE.Matrix4 {
+  return new THREE.Matrix4().makeRotationFromEuler(new THREE.Euler(...rotation, "ZYX"))
+    .setPosition(...position);
+}
+
 class RobotModel {
   readonly group = new THREE.Group();
   readonly fans: Fan[] = []; // of lasers
   readonly cones: { fan: Fan; sensor: number; index: number }[] = [];
+  readonly sights: Sight[] = []; // of cameras and radars
   readonly trail: Trail;
+  readonly foot: number; // m above the floor at first, of its body: one may begin in the air
   readonly tag: THREE.Sprite;
   private readonly wheels: THREE.Group[] = [];
   private readonly arrow: THREE.ArrowHelper;
@@ -193,6 +228,8 @@ class RobotModel {
     shape: Mesh[] | undefined,
   ) {
     this.group.rotation.order = "ZYX";
+    const bottom = Math.min(...robot.hull.map((part) => part.bottom));
+    this.foot = Number.isFinite(bottom) && bottom > IN_THE_AIR ? bottom : 0;
     const body =
       quality === "high"
         ? new THREE.MeshPhysicalMaterial({
@@ -252,7 +289,7 @@ class RobotModel {
       const turn = ((side === 0 ? -1 : 1) * state.w * this.robot.wheel_track) / 2;
       wheel.rotation.y += ((state.v + turn) * seconds) / this.robot.wheel_radius;
     });
-    this.trail.add(state.x, state.y, state.z);
+    this.trail.add(state.x, state.y, state.z + this.foot);
     this.trail.line.visible = layers.trails;
     this.tag.visible = layers.names;
     this.arrow.visible = layers.speeds && Math.abs(state.v) > 1e-3;
@@ -260,6 +297,17 @@ class RobotModel {
     this.arrow.setLength(0.05 + Math.abs(state.v), 0.04, 0.03);
     for (const fan of this.fans) fan.mesh.visible = layers.lasers;
     for (const { fan } of this.cones) fan.mesh.visible = layers.rings;
+    this.showSights(layers.sights);
+  }
+
+  showBody(on: boolean): void {
+    this.group.traverse((object) => {
+      if (object instanceof THREE.Mesh && object.material.depthWrite !== false) object.visible = on;
+    });
+  }
+
+  showSights(on: boolean): void {
+    for (const sight of this.sights) sight.group.visible = on;
   }
 
   private add(mesh: THREE.Mesh): void {
@@ -294,7 +342,9 @@ class RobotModel {
 
 /** The 3-D picture: the scene as sent, moved by frames. */
 export class Stage {
-  readonly layers: Layers = { lasers: true, rings: true, trails: true, speeds: false, names: false };
+  readonly layers: Layers = {
+    lasers: true, rings: true, sights: true, trails: true, speeds: false, names: false,
+  };
   private readonly quality = chooseQuality();
   private readonly renderer: THREE.WebGLRenderer;
   private readonly world = new THREE.Scene();
@@ -303,6 +353,9 @@ export class Stage {
   private content = new THREE.Group();
   private scene: Scene | null = null;
   private robots: RobotModel[] = [];
+  private sun: { light: THREE.DirectionalLight; from: THREE.Vector3; half: number } | null = null;
+  private things: ThingModel[] = []; // in the scene's order
+  private sights: Sight[] = []; // in the scene's order: frusta, then radars
   private boxes = new Boxes([], "low");
   private editing = false;
   private canvasPixels: Uint8Array = new Uint8Array(4);
@@ -363,7 +416,15 @@ export class Stage {
     this.boxes = new Boxes(scene.boxes, this.quality);
     this.boxes.setEditing(this.editing);
     this.content.add(this.boxes.group);
-    for (const mesh of scene.meshes) this.content.add(meshOf(mesh, this.quality));
+    this.things = scene.things.map((thing) => new ThingModel(thing));
+    const holders = new Map<number, THREE.Group>(); // by a mesh's id
+    for (const { thing, group } of this.things) {
+      this.content.add(group);
+      for (const id of thing.meshes) holders.set(id, group);
+    }
+    for (const mesh of scene.meshes) {
+      (holders.get(mesh.id) ?? this.content).add(meshOf(mesh, this.quality));
+    }
     scene.robots.forEach((robot, i) => {
       const model = new RobotModel(robot, i, this.quality, scene.shapes[robot.shape]);
       this.robots.push(model);
@@ -388,6 +449,15 @@ export class Stage {
         robot?.cones.push({ fan, sensor: scene.lasers.length + number, index });
       });
     });
+    this.sights = [
+      ...scene.frusta.map((frustum) => Sight.ofCamera(frustum, this.tintReach(frustum.robot))),
+      ...scene.radars.map((radar) => Sight.ofRadar(radar, this.tintReach(radar.robot))),
+    ];
+    [...scene.frusta, ...scene.radars].forEach(({ robot }, i) => {
+      const sight = this.sights[i]!;
+      this.robots[robot]?.group.add(sight.group);
+      this.robots[robot]?.sights.push(sight);
+    });
     this.world.add(this.content);
     if (!again) this.setCamera("orbit");
   }
@@ -401,6 +471,10 @@ export class Stage {
     this.states = frame.robots;
     frame.robots.forEach((state, i) => this.robots[i]?.show(state, seconds, this.layers));
     this.boxes.show(frame);
+    const moved = new Map(frame.movedThings.map((each) => [each.thing, each]));
+    this.things.forEach((thing, i) => thing.place(moved.get(i) ?? null));
+    const carried = new Map(frame.movedSights.map((each) => [each.sight, each]));
+    this.sights.forEach((sight, i) => sight.place(carried.get(i) ?? null));
     for (const scan of frame.scans) {
       const laser: Laser | undefined = this.scene.lasers[scan.sensor];
       if (laser !== undefined) {
@@ -430,9 +504,10 @@ export class Stage {
     if (scene === null) return;
     const middle = middleOf(scene);
     if (kind === "orbit") {
-      // The scenario's camera: Euler angles XYZ, (0, 0, 0) looks straight down.
+      // The scenario's camera: MORSE's Euler angles XYZ, which are three's ZYX; (0, 0, 0) looks
+      // straight down.
       const { position, rotation } = scene.camera;
-      const looks = new THREE.Vector3(0, 0, -1).applyEuler(new THREE.Euler(...rotation, "XYZ"));
+      const looks = new THREE.Vector3(0, 0, -1).applyEuler(new THREE.Euler(...rotation, "ZYX"));
       this.camera.position.set(...position);
       const reach = looks.z < -0.05 ? position[2] / -looks.z : middle.distanceTo(this.camera.position);
       this.controls.target.copy(this.camera.position).addScaledVector(looks, reach);
@@ -446,10 +521,11 @@ export class Stage {
       if (state !== undefined) {
         // As far behind as the robot is large.
         const far = Math.max(0.9, 2.5 * (this.robots[this.chosen]?.robot.length ?? 0));
-        this.controls.target.set(state.x, state.y, state.z + 0.1);
+        const foot = state.z + (this.robots[this.chosen]?.foot ?? 0);
+        this.controls.target.set(state.x, state.y, foot + 0.1);
         this.camera.position.set(
           state.x - far * Math.cos(state.yaw), state.y - far * Math.sin(state.yaw),
-          state.z + (0.65 / 0.9) * far);
+          foot + (0.65 / 0.9) * far);
       }
     }
     this.controls.update();
@@ -464,6 +540,7 @@ export class Stage {
   }
 
   choose(robot: number): void {
+    this.robots[this.chosen]?.showBody(true); // to the eyes of the next one
     this.chosen = robot;
   }
 
@@ -480,7 +557,7 @@ export class Stage {
   /** Where a robot is on the page. */
   find(robot: number): { x: number; y: number } {
     const model = this.robots[robot];
-    const at = new THREE.Vector3(0, 0, (model?.robot.height ?? 0) / 2);
+    const at = new THREE.Vector3(0, 0, ((model?.foot ?? 0) + (model?.robot.height ?? 0)) / 2);
     return this.placeOf(model === undefined ? at : at.add(model.group.position));
   }
 
@@ -535,8 +612,28 @@ export class Stage {
     this.resize();
   }
 
+  /** Corners of the box around a passive object in the world, low and high, m, as drawn. */
+  thingBox(thing: number): [number, number, number][] {
+    const group = this.things[thing]?.group;
+    if (group === undefined) return [];
+    group.updateWorldMatrix(true, true);
+    const { min, max } = new THREE.Box3().setFromObject(group, true);
+    return [min.toArray(), max.toArray()];
+  }
+
+  /** What cameras and radars see into: the ends of the lines, m, in the world, as drawn. */
+  sightLines(): { name: string; shown: boolean; corners: [number, number, number][] }[] {
+    return this.sights.map((sight) => ({
+      name: sight.name, shown: sight.group.visible, corners: sight.corners(),
+    }));
+  }
+
   setControls(on: boolean): void {
     this.controls.enabled = on && this.kind !== "robot";
+  }
+
+  private tintReach(robot: number): number {
+    return TINT_REACH * (this.robots[robot]?.robot.length ?? 1);
   }
 
   private ray(x: number, y: number): THREE.Raycaster {
@@ -567,24 +664,18 @@ export class Stage {
   }
 
   private addLights(scene: Scene): void {
-    const size = Math.max(scene.size_x, scene.size_y);
     const middle = middleOf(scene);
     const sunAt = scene.lights.find((light) => light.kind === "sun")?.position;
     const sun = new THREE.DirectionalLight(0xfff4e2, 2.1);
     const from = new THREE.Vector3(...(sunAt ?? [-0.5, -0.7, 1.4])).normalize();
     if (from.x === 0 && from.y === 0) from.set(-0.35, -0.5, 1).normalize();
-    sun.position.copy(middle).addScaledVector(from, 2.5 * size);
-    sun.target.position.copy(middle);
     sun.castShadow = true;
     const texels = this.quality === "high" ? 2048 : 1024;
     sun.shadow.mapSize.set(texels, texels);
-    const half = 0.75 * size;
-    Object.assign(sun.shadow.camera, {
-      left: -half, right: half, top: half, bottom: -half, near: 0.1, far: 6 * size,
-    });
-    sun.shadow.normalBias = 0.01;
     sun.shadow.radius = 4;
     this.content.add(sun, sun.target);
+    this.sun = { light: sun, from, half: 0 };
+    this.aimSun();
     for (const light of scene.lights) {
       if (light.kind !== "spot" || this.quality === "low") continue;
       const spot = new THREE.SpotLight(0xffffff, 2.5 * light.energy, 0, Math.PI / 4, 0.8, 1.6);
@@ -592,6 +683,33 @@ export class Stage {
       spot.target.position.copy(middle);
       this.content.add(spot, spot.target);
     }
+  }
+
+  /** Its shadows are as fine as they are many: those of a large world are around where one looks. */
+  private aimSun(): void {
+    if (this.sun === null || this.scene === null) return;
+    const { light, from } = this.sun;
+    const size = Math.max(this.scene.size_x, this.scene.size_y);
+    const far = this.camera.position.distanceTo(this.controls.target);
+    // In steps, so that what stands still keeps its shadow's edge.
+    const near = SHADOWS * 2 ** Math.max(0, Math.ceil(Math.log2((2 * far) / SHADOWS)));
+    const half = Math.min(0.75 * size, near);
+    const to = middleOf(this.scene);
+    if (near < 0.75 * size) {
+      const step = half / 4;
+      to.copy(this.controls.target).divideScalar(step).round().multiplyScalar(step);
+    }
+    if (half === this.sun.half && to.equals(light.target.position)) return;
+    this.sun.half = half;
+    light.position.copy(to).addScaledVector(from, 2.5 * size);
+    light.target.position.copy(to);
+    light.target.updateMatrixWorld();
+    Object.assign(light.shadow.camera, {
+      left: -half, right: half, top: half, bottom: -half, near: 0.1, far: 6 * size,
+    });
+    light.shadow.camera.updateProjectionMatrix();
+    // As wide as what one of its points covers, or surfaces shade themselves in stripes.
+    light.shadow.normalBias = Math.max(0.01, (3 * half) / light.shadow.mapSize.x);
   }
 
   private showCanvas(frame: Frame): void {
@@ -648,7 +766,7 @@ export class Stage {
     const robot = this.robots[this.chosen];
     if (state !== undefined && robot !== undefined) {
       if (this.kind === "follow") {
-        const to = new THREE.Vector3(state.x, state.y, state.z + 0.1);
+        const to = new THREE.Vector3(state.x, state.y, state.z + robot.foot + 0.1);
         this.camera.position.add(to.clone().sub(this.controls.target));
         this.controls.target.copy(to);
       } else if (this.kind === "robot") {
@@ -659,12 +777,10 @@ export class Stage {
       }
     }
     if (this.kind !== "robot") this.controls.update();
-    robot?.group.traverse((object) => {
-      // From its own eyes a robot does not see itself.
-      if (object instanceof THREE.Mesh && object.material.depthWrite !== false) {
-        object.visible = this.kind !== "robot";
-      }
-    });
+    // From its own eyes a robot does not see itself, and what it sees into would tint all of it.
+    robot?.showBody(this.kind !== "robot");
+    robot?.showSights(this.layers.sights && this.kind !== "robot");
+    this.aimSun();
     // Shadows of what moves little may be a few frames late where each costs.
     if (this.quality === "low" && this.frames % 4 === 0) this.renderer.shadowMap.needsUpdate = true;
     this.renderer.render(this.world, this.camera);

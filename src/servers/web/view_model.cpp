@@ -4,7 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <span>
 
+#include "base/euler.h"
+#include "base/trig.h"
 #include "scene/scenario.h"
 
 namespace ccmorse::servers {
@@ -24,6 +27,10 @@ class FrameWriter {
   void Double(double value) { Put(&value, sizeof value); }
   void Short(std::uint16_t value) { Put(&value, sizeof value); }
   void Byte(std::uint8_t value) { bytes_.push_back(static_cast<char>(value)); }
+  /// A point, m, and roll, pitch, yaw, rad.
+  void Place(const Vec3& at, const Vec3& euler) {
+    for (const double value : {at.x, at.y, at.z, euler.x, euler.y, euler.z}) Single(value);
+  }
   void Put(const void* data, std::size_t size) {
     bytes_.append(static_cast<const char*>(data), size);
   }
@@ -76,22 +83,43 @@ Json MeshScene(const scene::Mesh& mesh) {
                            {"triangles", std::move(triangles)}});
 }
 
+bool SamePoint(const Vec3& p, const Vec3& q) { return p.x == q.x && p.y == q.y && p.z == q.z; }
+
 // Robots alike share the text of their shape.
 bool SameShape(const std::vector<scene::Mesh>& a, const std::vector<scene::Mesh>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const auto same = [](const Vec3& p, const Vec3& q) {
-      return p.x == q.x && p.y == q.y && p.z == q.z;
-    };
     if (!std::equal(a[i].vertices.begin(), a[i].vertices.end(), b[i].vertices.begin(),
-                    b[i].vertices.end(), same) ||
+                    b[i].vertices.end(), SamePoint) ||
         a[i].triangles != b[i].triangles || !(a[i].color == b[i].color) ||
         a[i].palette != b[i].palette || a[i].color_of != b[i].color_of ||
-        !same(a[i].position, b[i].position) || !same(a[i].rotation, b[i].rotation)) {
+        !SamePoint(a[i].position, b[i].position) || !SamePoint(a[i].rotation, b[i].rotation)) {
       return false;
     }
   }
   return true;
+}
+
+// Above the floor, where the robot stands level on it.
+Vec3 AboveFloor(const sim::Sensor& sensor, const Vec3& mount) {
+  return {mount.x, mount.y, mount.z + sensor.robot().model().origin_height};
+}
+
+// What the page has to know of any sensor whose field of view is drawn, as the run began.
+Json SightScene(const sim::Sensor& sensor) {
+  const sim::Mount mount = sensor.RestMount();
+  return Json(Json::Object{{"robot", sensor.robot().index()},
+                           {"name", sensor.full_name()},
+                           {"position", Point(AboveFloor(sensor, mount.position))},
+                           {"rotation", Point(ToEuler(mount.rotation))}});
+}
+
+bool AtRest(const sim::Sensor& sensor) {
+  const sim::Mount rest = sensor.RestMount();
+  const Vec3 at = sensor.mount();
+  const Rotation turned = sensor.mount_rotation();
+  return SamePoint(at, rest.position) && SamePoint(turned.x, rest.rotation.x) &&
+         SamePoint(turned.y, rest.rotation.y) && SamePoint(turned.z, rest.rotation.z);
 }
 
 void AppendRanges(FrameWriter& out, const std::vector<double>& ranges, double most) {
@@ -111,8 +139,26 @@ ViewModel::ViewModel(const sim::Simulation& simulation) : simulation_(simulation
         lasers_.push_back(laser);
       } else if (const auto* ring = dynamic_cast<const sim::RangeRing*>(component.get())) {
         rings_.push_back(ring);
+      } else if (const auto* camera = dynamic_cast<const sim::SemanticCamera*>(component.get())) {
+        cameras_.push_back(camera);
+      } else if (const auto* radar = dynamic_cast<const sim::SearchAndRescue*>(component.get())) {
+        radars_.push_back(radar);
       }
     }
+  }
+  const auto carry = [this](std::size_t place, const sim::Sensor* sensor) {
+    if (sensor->is_carried()) carried_.emplace_back(place, sensor);
+  };
+  for (std::size_t i = 0; i < cameras_.size(); ++i) carry(i, cameras_[i]);
+  for (std::size_t i = 0; i < radars_.size(); ++i) carry(cameras_.size() + i, radars_[i]);
+  const auto drawn = [&meshes = simulation.scenario().world.meshes](int id) {
+    return std::any_of(meshes.begin(), meshes.end(),
+                       [id](const scene::Mesh& mesh) { return mesh.id == id && mesh.drawn; });
+  };
+  const std::span<const sim::SceneObject> objects = simulation.world().objects().all();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::vector<int>& parts = objects[i].start.meshes;
+    if (std::any_of(parts.begin(), parts.end(), drawn)) things_.push_back(i);
   }
   const auto& boxes = simulation.scenario().world.boxes;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -206,11 +252,14 @@ std::string ViewModel::Scene(const Json& more) const {
                           {"floor", world.has_floor ? Json(Hex(world.floor)) : Json()},
                           {"boxes", std::move(boxes)},
                           {"meshes", std::move(meshes)},
+                          {"things", ThingsScene()},
                           {"lights", std::move(lights)},
                           {"robots", std::move(robots)},
                           {"shapes", std::move(shapes)},
                           {"lasers", std::move(lasers)},
                           {"rings", std::move(rings)},
+                          {"frusta", FrustaScene()},
+                          {"radars", RadarsScene()},
                           {"camera", Json::Object{{"position", Point(scenario.camera.position)},
                                                   {"rotation", Point(scenario.camera.rotation)}}},
                           {"canvas", Json::Object{{"alpha", canvas.alpha},
@@ -218,6 +267,43 @@ std::string ViewModel::Scene(const Json& more) const {
                                                   {"mode_switching", canvas.mode_switching}}}});
   for (const auto& [key, value] : more.AsObject()) whole.Set(key, value);
   return whole.Dump();
+}
+
+Json ViewModel::FrustaScene() const {
+  Json::Array frusta;
+  for (const sim::SemanticCamera* camera : cameras_) {
+    Json one = SightScene(*camera);
+    one.Set("near", camera->near());
+    one.Set("far", camera->far());
+    one.Set("half_width", camera->half_width());
+    one.Set("half_height", camera->half_height());
+    frusta.push_back(std::move(one));
+  }
+  return Json(std::move(frusta));
+}
+
+Json ViewModel::RadarsScene() const {
+  Json::Array radars;
+  for (const sim::SearchAndRescue* radar : radars_) {
+    Json one = SightScene(*radar);
+    one.Set("angle", Radians(radar->angle()));
+    one.Set("range", radar->distance());
+    radars.push_back(std::move(one));
+  }
+  return Json(std::move(radars));
+}
+
+Json ViewModel::ThingsScene() const {
+  Json::Array things;
+  for (const std::size_t i : things_) {
+    const scene::PropDef& start = simulation_.world().objects().all()[i].start;
+    things.push_back(
+        Json::Object{{"name", start.name},
+                     {"position", Point(start.position)},
+                     {"rotation", Point(start.rotation)},
+                     {"meshes", Json::Array(start.meshes.begin(), start.meshes.end())}});
+  }
+  return Json(std::move(things));
 }
 
 Json ViewModel::RobotScene(const sim::Robot& robot) const {
@@ -297,6 +383,27 @@ std::string ViewModel::Frame(Seen& seen, double rate, const TimeState& time) {
   }
   out.SetWord(moved_at, moved);
   out.Word(static_cast<std::uint32_t>(arena.event_count()));
+  const std::size_t turned_at = out.size();
+  std::uint32_t turned = 0;
+  out.Word(0);
+  for (const auto& [place, sensor] : carried_) {
+    if (AtRest(*sensor)) continue;
+    ++turned;
+    out.Word(static_cast<std::uint32_t>(place));
+    out.Place(AboveFloor(*sensor, sensor->mount()), ToEuler(sensor->mount_rotation()));
+  }
+  out.SetWord(turned_at, turned);
+  const std::size_t carried_at = out.size();
+  std::uint32_t carried = 0;
+  out.Word(0);
+  for (std::size_t i = 0; i < things_.size(); ++i) {
+    const sim::SceneObject& thing = simulation_.world().objects().all()[things_[i]];
+    if (!thing.HasMoved()) continue;
+    ++carried;
+    out.Word(static_cast<std::uint32_t>(i));
+    out.Place(thing.WorldPosition(), ToEuler(thing.WorldRotation()));
+  }
+  out.SetWord(carried_at, carried);
 
   const std::size_t scans_at = out.size();
   std::uint32_t scans = 0;

@@ -29,6 +29,10 @@ class SearchAndRescue : public Sensor {
   void Reset() override;
   void Interrupt() override;
 
+  // The cone that it looks into, as its properties say now.
+  double angle() const { return angle_; }        ///< degrees, full aperture, 0..360
+  double distance() const { return distance_; }  ///< m
+
  private:
   struct Victim {
     SceneObject* object;

@@ -86,6 +86,11 @@ SemanticCamera::SemanticCamera(Robot& robot, const std::string& name, const Worl
   AddProperty("tag", tag_);
 }
 
+// The longer side of the picture sees all of the lens.
+double SemanticCamera::HalfOf(double pixels) const {
+  return kHalfLens / focal_ * pixels / std::max(width_, height_);
+}
+
 void SemanticCamera::Prepare() { world_.rays().Prepare(); }
 
 bool SemanticCamera::IsTracked(const SceneObject& object) const {
@@ -96,8 +101,8 @@ bool SemanticCamera::IsTracked(const SceneObject& object) const {
 
 bool SemanticCamera::IsInView(const SceneObject& object, const Vec3& camera,
                               const Rotation& view) const {
-  const double wide = kHalfLens / focal_ * width_ / std::max(width_, height_);
-  const double high = kHalfLens / focal_ * height_ / std::max(width_, height_);
+  const double wide = half_width();
+  const double high = half_height();
   const std::array<Vec3, 2> box = BoxAround(object);
   std::array<bool, 6> all_beyond{};
   all_beyond.fill(true);

@@ -24,6 +24,12 @@ class SemanticCamera : public Sensor {
   void AddToHash(StateHash& hash) const override;
   void Reset() override;
 
+  // The pyramid that it sees into, as its properties say now.
+  double near() const { return near_; }                 ///< m along its x, where the pyramid begins
+  double far() const { return far_; }                   ///< m, where it ends
+  double half_width() const { return HalfOf(width_); }  ///< m to each side at 1 m
+  double half_height() const { return HalfOf(height_); }  ///< m up and down at 1 m
+
  private:
   struct Seen {
     const SceneObject* object;
@@ -32,6 +38,7 @@ class SemanticCamera : public Sensor {
   };
 
   void AppendFields(std::string& out) const override;
+  double HalfOf(double pixels) const;
   bool IsTracked(const SceneObject& object) const;
   bool IsInView(const SceneObject& object, const Vec3& camera, const Rotation& view) const;
   bool IsHidden(const SceneObject& object, const Vec3& camera) const;
