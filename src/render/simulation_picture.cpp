@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/euler.h"
 #include "base/nearest_name.h"
 #include "base/polygon.h"
 #include "base/trig.h"
@@ -110,7 +111,7 @@ void AddRobot(const sim::Robot& robot, const Parts& parts, const PictureOptions&
     const Vec3 second = fan.Direction(1);
     Fan film;
     film.origin = at(0.0);
-    film.yaw = robot.pose().yaw;
+    film.yaw = robot.pose().yaw + ToEuler(laser->mount_rotation()).z;
     film.first = std::atan2(first.y, first.x);
     film.step = std::remainder(std::atan2(second.y, second.x) - film.first, 2.0 * kPi);
     film.ranges = laser->ranges();

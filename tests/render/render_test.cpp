@@ -228,6 +228,17 @@ TEST(RenderedPicture, ShowsRaisedObstaclesOnly) {
   EXPECT_GT(triangles(), down);
 }
 
+TEST(RenderedPicture, FansAreTurnedAsTheirLasersAreOnTheRobot) {
+  sim::Simulation simulation(SyrotekWith(
+      R"(, "robots": [{"name": "r", "pose": {"x": 1.2, "y": 2, "yaw": 0.5}, "components": [
+           {"name": "aside", "type": "LaserScanner", "rotation": [0, 0, 1.25]}]}])"));
+  simulation.Sense();
+  PictureScene scene;
+  ShowSimulation(simulation, {true, true}, scene);
+  ASSERT_EQ(scene.fans.size(), 1U);
+  EXPECT_NEAR(scene.fans[0].yaw, 1.75, 1e-12);
+}
+
 // One that begins 5 m above the floor is as far away and as high as one that stands there.
 TEST(Camera, FollowsARobotInTheAir) {
   const auto place = [](double up) {

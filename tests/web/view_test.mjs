@@ -437,7 +437,7 @@ viewOf("camera frusta and radar cones are drawn as their components' properties 
     await page.waitForFunction(() => Math.abs(window.ccmorse.frame().robots[0].yaw - 1.9) < 1e-6);
     const arrived = await time(page);
     await page.waitForFunction((t) => window.ccmorse.frame().time > t + 0.1, arrived);
-    assert.equal(await page.evaluate(() => window.ccmorse.frame().movedSights.length), 1);
+    assert.equal(await page.evaluate(() => window.ccmorse.frame().movedSensors.length), 1);
     const [pan, tilt] = await page.evaluate(() => window.ccmorse.call("rover.ptu", "get_pan_tilt", []));
     assert.ok(Math.abs(pan - 0.8) < 0.02 && Math.abs(tilt - 0.5) < 0.02, `${pan} ${tilt}`);
     await asDescribed((point) => placed(placed(point, [0, 0, 0], [0.05, 0, 0.1]),
@@ -471,6 +471,47 @@ viewOf("camera frusta and radar cones are drawn as their components' properties 
     await picture();
     assert.deepEqual(await shown(), [true]);
   });
+
+// --- Lasers
+
+const SCANS = { laser: { range: 4, scan_window_deg: 120, samples: 61, resolution_deg: 2 }, frequency: 20 };
+viewOf("scans are drawn as their lasers are turned on the robot, by a PTU, too", {
+  robots: [{
+    name: "rover", type: "Custom", pose: { x: 1.2, y: 2.0, yaw: 0.7 },
+    body: { footprint: FOOTPRINT },
+    components: [
+      { name: "aside", type: "LaserScanner", position: [0.05, 0.02, 0.1], rotation: [0, 0, 1.3], ...SCANS },
+      { name: "down", type: "LaserScanner", position: [0, 0, 0.3], rotation: [0, 0.4, 0.2], ...SCANS },
+      { name: "ptu", type: "PTU", position: [-0.05, 0, 0.2], properties: { Speed: 20 } },
+      { name: "ptu.sick", type: "LaserScanner", position: [0, 0, 0.3], ...SCANS },
+    ],
+  }],
+}, async (page) => {
+  await page.evaluate(() => window.ccmorse.call("rover.ptu", "set_pan_tilt", [0.8, 0.3]));
+  const [pan, tilt] = await page.evaluate(() => window.ccmorse.call("rover.ptu", "get_pan_tilt", []));
+  const now = await time(page);
+  await page.waitForFunction((t) => window.ccmorse.frame().time > t + 0.3, now);
+  const { x, y, yaw } = await robot(page);
+  const mounts = {
+    aside: (point) => placed(point, [0, 0, 1.3], [0.05, 0.02, 0.1]),
+    down: (point) => placed(point, [0, 0.4, 0.2], [0, 0, 0.3]),
+    "ptu.sick": (point) => placed(placed(point, [0, 0, 0], [0.05, 0, 0.1]), [0, tilt, pan], [-0.05, 0, 0.2]),
+  };
+  for (const [name, mounted] of Object.entries(mounts)) {
+    const { range_list: ranges } = JSON.parse(JSON.stringify(await page.evaluate((of) =>
+      window.ccmorse.call(of, "get_local_data", []), `rover.${name}`)));
+    const drawn = await page.evaluate((of) => window.ccmorse.beams(of), `rover.${name}`);
+    assert.equal(drawn.length, 61, name);
+    assert.ok(ranges.some((range) => range < 3.9), name);
+    drawn.forEach((end, i) => {
+      const bearing = (-60 + 2 * i) * Math.PI / 180;
+      const point = [ranges[i] * Math.cos(bearing), ranges[i] * Math.sin(bearing), 0];
+      const wanted = placed(mounted(point), [0, 0, yaw], [x, y, 0]);
+      const off = Math.hypot(...end.map((v, k) => v - wanted[k]));
+      assert.ok(off < 2e-4, `${name}, beam ${i}: ${end}, not ${wanted}`);
+    });
+  }
+});
 
 // --- The scenario's camera
 

@@ -520,6 +520,7 @@ declare global {
       find(robot: number): { x: number; y: number };
       findBox(id: number): { x: number; y: number } | null;
       boxAround(thing: string): Point[];
+      beams(laser: string): Point[];
       sights(): { name: string; shown: boolean; corners: Point[] }[];
       look(from: Point, at: Point): void;
       call(component: string, service: string, args: unknown[]): Promise<unknown>;
@@ -539,6 +540,7 @@ window.ccmorse = {
   },
   boxAround: (name) =>
     stage.thingBox(scene?.things.findIndex((thing) => thing.name === name) ?? -1),
+  beams: (name) => stage.beamEnds(scene?.lasers.findIndex((laser) => laser.name === name) ?? -1),
   sights: () => stage.sightLines(),
   look: (from, at) => stage.look(from, at),
   call: (component, service, args) => connection.call(component, service, args),

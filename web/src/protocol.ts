@@ -62,10 +62,10 @@ export interface Robot {
 export interface Laser {
   robot: number;
   name: string;
-  mount: [number, number, number];
-  height: number;
-  upright: boolean;
-  first: number; // rad, bearing of the first beam
+  position: [number, number, number]; // on the robot; z above the floor, m
+  rotation: [number, number, number]; // there: roll, pitch, yaw, rad
+  flat: boolean; // all its beams are in the plane of its x and y
+  first: number; // rad, bearing of the first beam there
   last: number; // rad
   samples: number;
   range: number; // m
@@ -158,8 +158,8 @@ export interface MovedBox {
   yaw: number;
 }
 
-export interface MovedSight {
-  sight: number; // index into frusta, then radars
+export interface MovedSensor {
+  sensor: number; // index into frusta, then radars, then lasers
   position: [number, number, number]; // as in the scene
   rotation: [number, number, number];
 }
@@ -179,7 +179,7 @@ export interface Frame {
   boxes: Uint8Array; // one a box: BOX_UP, BOX_WAITING
   moved: MovedBox[]; // those that are elsewhere than in the scene
   arenaEvents: number; // so far
-  movedSights: MovedSight[]; // those that their robot has elsewhere than in the scene
+  movedSensors: MovedSensor[]; // those that their robot has elsewhere than in the scene
   movedThings: MovedThing[]; // those that are elsewhere than in the scene
   scans: Scan[];
   canvasWidth: number; // cells
@@ -225,9 +225,9 @@ export function readFrame(buffer: ArrayBuffer): Frame {
   }
   const arenaEvents = word();
   const point = (): [number, number, number] => [single(), single(), single()];
-  const movedSights: MovedSight[] = [];
+  const movedSensors: MovedSensor[] = [];
   for (let left = word(); left > 0; --left) {
-    movedSights.push({ sight: word(), position: point(), rotation: point() });
+    movedSensors.push({ sensor: word(), position: point(), rotation: point() });
   }
   const movedThings: MovedThing[] = [];
   for (let left = word(); left > 0; --left) {
@@ -251,7 +251,7 @@ export function readFrame(buffer: ArrayBuffer): Frame {
     at += 4 * canvasWidth;
   }
   return {
-    paused, time, rate, speed, robots, boxes, moved, arenaEvents, movedSights, movedThings, scans,
+    paused, time, rate, speed, robots, boxes, moved, arenaEvents, movedSensors, movedThings, scans,
     canvasWidth, canvasHeight, canvasLayers, rows,
   };
 }

@@ -264,17 +264,19 @@ class RobotModel {
     this.group.traverse((object) => (object.userData["robot"] = index));
   }
 
-  addLaser(mount: [number, number, number], height: number, fan: Fan): void {
+  addLaser(fan: Fan): THREE.Group {
     const box = new THREE.Mesh(
       new THREE.CylinderGeometry(0.024, 0.026, 0.045, 32).rotateX(Math.PI / 2),
       surface(this.quality, { color: 0x111417, roughness: 0.25, metalness: 0.3 }),
     );
-    box.position.set(mount[0], mount[1], height + mount[2]);
     box.userData["robot"] = this.index;
-    this.add(box);
-    fan.mesh.position.copy(box.position);
-    this.group.add(fan.mesh);
+    box.castShadow = true;
+    box.receiveShadow = true;
+    const scanner = new THREE.Group();
+    scanner.add(box, fan.mesh);
+    this.group.add(scanner);
     this.fans.push(fan);
+    return scanner;
   }
 
   show(state: RobotState, seconds: number, layers: Layers): void {
@@ -355,6 +357,7 @@ export class Stage {
   private robots: RobotModel[] = [];
   private sun: { light: THREE.DirectionalLight; from: THREE.Vector3; half: number } | null = null;
   private things: ThingModel[] = []; // in the scene's order
+  private scanners: { laser: Laser; fan: Fan; group: THREE.Group }[] = []; // in the scene's order
   private sights: Sight[] = []; // in the scene's order: frusta, then radars
   private boxes = new Boxes([], "low");
   private editing = false;
@@ -430,12 +433,13 @@ export class Stage {
       this.robots.push(model);
       this.content.add(model.group, model.trail.line);
     });
+    this.scanners = [];
     for (const laser of scene.lasers) {
       const bearings = new Float32Array(laser.samples);
       const step = (laser.last - laser.first) / Math.max(1, laser.samples - 1);
       for (let i = 0; i < laser.samples; ++i) bearings[i] = laser.first + i * step;
-      const fan = new Fan(laser.upright ? bearings : new Float32Array(0), laser.range, LASER_COLOR);
-      this.robots[laser.robot]?.addLaser(laser.mount, laser.height, fan);
+      const fan = new Fan(laser.flat ? bearings : new Float32Array(0), laser.range, LASER_COLOR);
+      this.scanners.push({ laser, fan, group: this.robots[laser.robot]!.addLaser(fan) });
     }
     scene.rings.forEach((ring, number) => {
       const robot = this.robots[ring.robot];
@@ -473,8 +477,13 @@ export class Stage {
     this.boxes.show(frame);
     const moved = new Map(frame.movedThings.map((each) => [each.thing, each]));
     this.things.forEach((thing, i) => thing.place(moved.get(i) ?? null));
-    const carried = new Map(frame.movedSights.map((each) => [each.sight, each]));
+    const carried = new Map(frame.movedSensors.map((each) => [each.sensor, each]));
     this.sights.forEach((sight, i) => sight.place(carried.get(i) ?? null));
+    this.scanners.forEach(({ laser, group }, i) => {
+      const { position, rotation } = carried.get(this.sights.length + i) ?? laser;
+      group.position.set(...position);
+      group.rotation.set(...rotation, "ZYX");
+    });
     for (const scan of frame.scans) {
       const laser: Laser | undefined = this.scene.lasers[scan.sensor];
       if (laser !== undefined) {
@@ -619,6 +628,16 @@ export class Stage {
     group.updateWorldMatrix(true, true);
     const { min, max } = new THREE.Box3().setFromObject(group, true);
     return [min.toArray(), max.toArray()];
+  }
+
+  /** Where a laser's beams end, m, in the world, as drawn. */
+  beamEnds(laser: number): [number, number, number][] {
+    const mesh = this.scanners[laser]?.fan.mesh;
+    if (mesh === undefined) return [];
+    mesh.updateWorldMatrix(true, false);
+    const ends = mesh.geometry.getAttribute("position");
+    return Array.from({ length: ends.count - 1 }, (_, i) =>
+      new THREE.Vector3().fromBufferAttribute(ends, i + 1).applyMatrix4(mesh.matrixWorld).toArray());
   }
 
   /** What cameras and radars see into: the ends of the lines, m, in the world, as drawn. */

@@ -105,9 +105,12 @@ Vec3 AboveFloor(const sim::Sensor& sensor, const Vec3& mount) {
   return {mount.x, mount.y, mount.z + sensor.robot().model().origin_height};
 }
 
-// What the page has to know of any sensor whose field of view is drawn, as the run began.
+// What the page has to know of any sensor that something carries, maybe, as the run began.
 Json SightScene(const sim::Sensor& sensor) {
-  const sim::Mount mount = sensor.RestMount();
+  // Only what is carried moves; a scanner knows its own place otherwise.
+  const sim::Mount mount = sensor.is_carried()
+                               ? sensor.RestMount()
+                               : sim::Mount{sensor.mount(), sensor.mount_rotation()};
   return Json(Json::Object{{"robot", sensor.robot().index()},
                            {"name", sensor.full_name()},
                            {"position", Point(AboveFloor(sensor, mount.position))},
@@ -151,6 +154,8 @@ ViewModel::ViewModel(const sim::Simulation& simulation) : simulation_(simulation
   };
   for (std::size_t i = 0; i < cameras_.size(); ++i) carry(i, cameras_[i]);
   for (std::size_t i = 0; i < radars_.size(); ++i) carry(cameras_.size() + i, radars_[i]);
+  const std::size_t sights = cameras_.size() + radars_.size();
+  for (std::size_t i = 0; i < lasers_.size(); ++i) carry(sights + i, lasers_[i]);
   const auto drawn = [&meshes = simulation.scenario().world.meshes](int id) {
     return std::any_of(meshes.begin(), meshes.end(),
                        [id](const scene::Mesh& mesh) { return mesh.id == id && mesh.drawn; });
@@ -219,15 +224,13 @@ std::string ViewModel::Scene(const Json& more) const {
     const sim::BeamFan& fan = laser->fan();
     const Vec3 first = fan.Direction(0);
     const Vec3 last = fan.Direction(fan.count() - 1);
-    lasers.push_back(Json::Object{{"robot", laser->robot().index()},
-                                  {"name", laser->full_name()},
-                                  {"mount", Point(laser->mount())},
-                                  {"height", laser->robot().model().origin_height},
-                                  {"upright", fan.upright()},
-                                  {"first", std::atan2(first.y, first.x)},
-                                  {"last", std::atan2(last.y, last.x)},
-                                  {"samples", static_cast<int>(fan.count())},
-                                  {"range", fan.range()}});
+    Json one = SightScene(*laser);
+    one.Set("flat", first.z == 0.0 && last.z == 0.0);  // of layers one or the other is not
+    one.Set("first", std::atan2(first.y, first.x));
+    one.Set("last", std::atan2(last.y, last.x));
+    one.Set("samples", static_cast<int>(fan.count()));
+    one.Set("range", fan.range());
+    lasers.push_back(std::move(one));
   }
   Json::Array rings;
   for (const sim::RangeRing* ring : rings_) {

@@ -49,7 +49,7 @@ class ViewModel {
   std::vector<const sim::RangeRing*> rings_;
   std::vector<const sim::SemanticCamera*> cameras_;  // likewise
   std::vector<const sim::SearchAndRescue*> radars_;
-  // Cameras, then radars: those that something carries, by their place.
+  // Cameras, radars, then lasers: those that something carries, by their place.
   std::vector<std::pair<std::size_t, const sim::Sensor*>> carried_;
   std::vector<std::size_t> dynamic_;  // boxes, by their place in the scene
   std::vector<std::size_t> things_;   // passive objects that are drawn, by theirs in the world
