@@ -226,7 +226,30 @@ class Scripts(unittest.TestCase):
         overlay = built.objects()["robot"]["children"][0]["overlays"][0]
         self.assertEqual(overlay["classpath"], "my_project.overlays.WaypointOverlay")
         self.assertEqual(overlay["settings"], {"namefrom": "here"})
+        # There is no such module, as the script is told.
         self.assertEqual([line for line, _ in built.notes()], [7])
+        self.assertNotIn("overlays", built.robot("robot")["components"][0])
+
+    def test_c8_overlays_of_ones_own_package(self):
+        built = Built(os.path.join("overlays", "default.py"))
+        self.assertEqual((built.status, built.notes()), (0, []), built.output)
+        parts = {part["name"]: part for part in built.robot("robot")["components"]}
+        guide, = parts["waypoint"]["overlays"]
+        self.assertEqual((guide["code"], guide["settings"]),
+                         ("overlaid.overlays.Guide", {"slowness": 2.0}))
+        self.assertTrue(guide["path"][0].endswith(os.path.join("overlays", "src")))
+        walk = next(one for one in guide["services"] if one["name"] == "walk")
+        self.assertEqual(walk, {"name": "walk", "asynchronous": True, "parameters": [
+            {"name": "x", "optional": False}, {"name": "y", "optional": False},
+            {"name": "speed", "optional": True}]})
+        self.assertEqual(parts["counter"]["overlays"][0]["code"], "overlaid.overlays.Clerk")
+
+    def test_b4_services_of_robots(self):
+        built = Built("robots_services.py")
+        skills = {robot["name"]: robot.get("skills") for robot in built.scene["robots"]}
+        # Only with add_service().
+        self.assertEqual(skills, {"robot": None, "victim": ["heal"], "casualty": ["heal"],
+                                  "silent": None, "human": ["grasp"]})
 
     def test_c7_what_scripts_reach_into(self):
         built = Built("bpy_facade.py")

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "scene/scenario.h"
@@ -32,6 +33,36 @@ std::string ScenarioError(const std::string& text) {
 
 bool Has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+TEST(Components, SkillsAndOverlaysAreReadAndWritten) {
+  const std::string text = Text(
+      R"({"name": "go", "type": "Waypoint", "overlays": [{"code": "my.overlays.Guide",
+          "path": ["src"], "settings": {"slowness": 2.0, "named": "guide"}, "services":
+          [{"name": "walk", "asynchronous": true,
+            "parameters": [{"name": "x"}, {"name": "y", "optional": true}]}]},
+          {"code": "Other"}]})",
+      R"(, "services": true, "skills": ["heal", "grasp"])");
+  const Scenario scenario = ParseScenario(text, "scene.json");
+  const Scenario again = ParseScenario(ToJson(scenario).Dump(), "again.json");
+  EXPECT_EQ(ToJson(again).Dump(), ToJson(scenario).Dump());
+  for (const Scenario* each : {&scenario, &again}) {
+    const RobotDef& robot = each->robots.at(0);
+    EXPECT_EQ(robot.skills, (std::vector<std::string>{"heal", "grasp"}));
+    const std::vector<OverlayDef>& overlays = robot.components->at(0).overlays;
+    ASSERT_EQ(overlays.size(), 2U);
+    EXPECT_EQ(overlays[0].code, "my.overlays.Guide");
+    EXPECT_EQ(overlays[0].path, std::vector<std::string>{"src"});
+    EXPECT_EQ(overlays[0].settings.Dump(), R"({"slowness": 2.0, "named": "guide"})");
+    ASSERT_EQ(overlays[0].services.size(), 1U);
+    EXPECT_TRUE(overlays[0].services[0].asynchronous);
+    ASSERT_EQ(overlays[0].services[0].parameters.size(), 2U);
+    EXPECT_TRUE(overlays[0].services[0].parameters[1].optional);
+    EXPECT_TRUE(overlays[1].services.empty());
+  }
+  EXPECT_TRUE(Has(ErrorOf(Text("", R"(, "skills": ["fly"])")), "skills"));
+  EXPECT_TRUE(
+      Has(ErrorOf(Text(R"({"name": "go", "type": "Pose", "overlays": [{"path": []}]})")), "code"));
 }
 
 TEST(Components, AreReadAndWritten) {

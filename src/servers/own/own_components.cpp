@@ -24,12 +24,12 @@ const std::string* TextOf(const Json& answer, const char* key) {
   return text != nullptr && text->IsString() ? &text->AsString() : nullptr;
 }
 
-const char* WordOf(Outcome outcome) {
+const char* WordOfOutcome(Outcome outcome) {
   if (outcome == Outcome::kSuccess) return "SUCCESS";
   return outcome == Outcome::kPreempted ? "PREEMPTED" : "FAILED";
 }
 
-Json ValueOf(const sim::ServiceResult& result) {
+Json ValueOfResult(const sim::ServiceResult& result) {
   return result.text.empty() ? result.value : Json::Parse(result.text);
 }
 
@@ -39,7 +39,7 @@ OwnTask TaskOf(Overlay& overlay, OwnTask::Kind kind) {
   return task;
 }
 
-const std::string& NameOf(const OwnTask& task) {
+const std::string& NameOfTask(const OwnTask& task) {
   return task.overlay != nullptr ? task.overlay->key : task.component->component().full_name();
 }
 
@@ -222,7 +222,7 @@ void OwnComponents::Perform(std::vector<OwnTask>& tasks) {
 }
 
 OwnAnswer OwnComponents::PerformOne(OwnTask task) {
-  const std::string off = NameOf(task) + " was switched off: its code has failed";
+  const std::string off = NameOfTask(task) + " was switched off: its code has failed";
   if (IsOff(task)) throw sim::ServiceFailed(off);
   if (busy_) throw sim::ServiceFailed("Components of one's own do not call each other");
   OwnAnswer kept;
@@ -295,7 +295,7 @@ void OwnComponents::InterruptOne(const OwnTask& task) {
 }
 
 void OwnComponents::Take(const OwnTask& task, const OwnAnswer& answer) {
-  const std::string& name = NameOf(task);
+  const std::string& name = NameOfTask(task);
   const void* const of = task.overlay != nullptr ? static_cast<const void*>(task.overlay)
                                                  : static_cast<const void*>(task.component);
   const auto switch_off = [&](const std::string& reason) {
@@ -376,21 +376,21 @@ Json OwnComponents::AskToStart(const ServiceDirectory::Target& target,
   const auto running = std::make_shared<Running>();
   const std::int64_t wait = ++last_wait_;
   waits_[wait] = {overlay->get(), question[4].AsInt()};
-  directory_.Run(
-      target, question[2].AsArray(),
-      [alive = self_, running, wait](const sim::ServiceResult& result) {
-        if (running->asked) {
-          running->result = {result.outcome, ValueOf(result)};
-        } else if (*alive != nullptr) {
-          (*alive)->Ended(wait, Json(Json::Array{WordOf(result.outcome), ValueOf(result)}));
-        }
-      });
+  directory_.Run(target, question[2].AsArray(),
+                 [alive = self_, running, wait](const sim::ServiceResult& result) {
+                   if (running->asked) {
+                     running->result = {result.outcome, ValueOfResult(result)};
+                   } else if (*alive != nullptr) {
+                     (*alive)->Ended(wait, Json(Json::Array{WordOfOutcome(result.outcome),
+                                                            ValueOfResult(result)}));
+                   }
+                 });
   running->asked = false;
   if (!running->result) return Json(Json::Object{{"later", true}});
   waits_.erase(wait);
   const sim::ServiceResult& result = *running->result;
   if (result.outcome == Outcome::kFailed) return Json(Json::Object{{"failed", result.value}});
-  return Json(Json::Object{{"ended", Json::Array{WordOf(result.outcome), result.value}}});
+  return Json(Json::Object{{"ended", Json::Array{WordOfOutcome(result.outcome), result.value}}});
 }
 
 void OwnComponents::Ended(std::int64_t wait, Json end) {
@@ -444,8 +444,8 @@ Json OwnComponents::Ask(const Json& question) {
   }
   std::optional<Json> answer;
   directory_.Run(target, arguments, [&](const sim::ServiceResult& result) {
-    answer = Json(
-        Json::Object{{result.outcome == Outcome::kSuccess ? "result" : "failed", ValueOf(result)}});
+    answer = Json(Json::Object{
+        {result.outcome == Outcome::kSuccess ? "result" : "failed", ValueOfResult(result)}});
   });
   return answer ? *answer : failed(service + " does not answer");
 }

@@ -58,11 +58,11 @@ const char* KindWord(OwnTask::Kind kind) {
   return "interrupt";
 }
 
-const sim::Component& ComponentOf(const OwnTask& task) {
+const sim::Component& ComponentOfTask(const OwnTask& task) {
   return task.overlay != nullptr ? *task.overlay->overlaid : task.component->component();
 }
 
-Json::Array Texts(const std::vector<std::string>& texts) {
+Json::Array JsonOfTexts(const std::vector<std::string>& texts) {
   return Json::Array(texts.begin(), texts.end());
 }
 
@@ -118,7 +118,7 @@ Json PythonHost::Birth(const sim::OwnComponent& own, bool anew) const {
   return Json(Json::Object{{"name", component.full_name()},
                            {"robot", component.robot().name()},
                            {"class", def.code},
-                           {"path", Texts(def.path)},
+                           {"path", JsonOfTexts(def.path)},
                            {"level", def.level},
                            {"frequency", component.frequency()},
                            {"mount", VectorOf(component.mount())},
@@ -142,7 +142,7 @@ Json PythonHost::Birth(const Overlay& overlay) const {
                            {"name", component.full_name()},
                            {"robot", component.robot().name()},
                            {"class", overlay.def->code},
-                           {"path", Texts(overlay.def->path)},
+                           {"path", JsonOfTexts(overlay.def->path)},
                            {"settings", overlay.def->settings},
                            {"mount", VectorOf(component.mount())},
                            {"mount_euler", VectorOf(component.mount_euler())},
@@ -155,7 +155,7 @@ Json PythonHost::Poses(std::span<const OwnTask> tasks) const {
   for (const auto& robot : simulation_.robots()) {
     const bool wanted =
         tasks.empty() || std::any_of(tasks.begin(), tasks.end(), [&](const auto& t) {
-          return &ComponentOf(t).robot() == robot.get();
+          return &ComponentOfTask(t).robot() == robot.get();
         });
     if (wanted) poses.AsObject().emplace_back(robot->name(), PoseOf(*robot));
   }
@@ -164,7 +164,7 @@ Json PythonHost::Poses(std::span<const OwnTask> tasks) const {
 
 Json PythonHost::TaskJson(const OwnTask& task) const {
   const std::string& name =
-      task.overlay != nullptr ? task.overlay->key : ComponentOf(task).full_name();
+      task.overlay != nullptr ? task.overlay->key : ComponentOfTask(task).full_name();
   Json json(Json::Object{{"n", name}, {"k", KindWord(task.kind)}});
   if (task.kind == OwnTask::Kind::kEnded) {
     json.Set("i", task.ticket);
@@ -176,7 +176,7 @@ Json PythonHost::TaskJson(const OwnTask& task) const {
   }
   if (task.kind == OwnTask::Kind::kStart) json.Set("t", task.ticket);
   if (task.component == nullptr) return json;
-  if (task.overlay != nullptr) json.Set("o", ComponentOf(task).full_name());
+  if (task.overlay != nullptr) json.Set("o", ComponentOfTask(task).full_name());
   if (task.component->TakeDataChanged()) json.Set("d", task.component->data());
   if (task.component->TakePropertiesChanged()) {
     json.Set("p", task.component->component().Properties());

@@ -10,7 +10,7 @@
 namespace ccmorse::sim {
 namespace {
 
-constexpr double kArm = 1.0;  // m
+constexpr double kArmLength = 1.0;  // m
 
 bool GrabArgument(const Json& grab) {
   if (grab.IsBool()) return grab.AsBool();
@@ -19,7 +19,7 @@ bool GrabArgument(const Json& grab) {
   throw WrongArgument("grab must be true or false");
 }
 
-bool Take(const Robot& robot, World& world, SceneObject& object) {
+bool TakeInHand(const Robot& robot, World& world, SceneObject& object) {
   if (object.bearer == &robot) return false;
   const std::string what = "Object '" + object.name + "'";
   if (object.robot != nullptr || !object.Is("Graspable")) {
@@ -32,7 +32,7 @@ bool Take(const Robot& robot, World& world, SceneObject& object) {
     }
   }
   const Vec3 way = object.WorldPosition() - robot.position();
-  if (std::hypot(way.x, way.y) > kArm) throw ServiceFailed(what + " is out of reach");
+  if (std::hypot(way.x, way.y) > kArmLength) throw ServiceFailed(what + " is out of reach");
   SceneObjects::SetBearer(object, &robot);
   return true;
 }
@@ -45,7 +45,7 @@ Service GraspService(Robot& robot, World& world) {
             if (object == nullptr) {
               throw ServiceFailed("Object '" + name + "' does not appear in the scene.");
             }
-            if (grab) return Json(Take(robot, world, *object));
+            if (grab) return Json(TakeInHand(robot, world, *object));
             if (object->bearer != &robot) return Json(false);
             SceneObjects::SetBearer(*object, nullptr);
             return Json(true);
