@@ -60,9 +60,10 @@ TEST(Components, SkillsAndOverlaysAreReadAndWritten) {
     EXPECT_TRUE(overlays[0].services[0].parameters[1].optional);
     EXPECT_TRUE(overlays[1].services.empty());
   }
-  EXPECT_TRUE(Has(ErrorOf(Text("", R"(, "skills": ["fly"])")), "skills"));
+  EXPECT_TRUE(Has(ScenarioError(Text("", R"(, "skills": ["fly"])")), "skills"));
   EXPECT_TRUE(
-      Has(ErrorOf(Text(R"({"name": "go", "type": "Pose", "overlays": [{"path": []}]})")), "code"));
+      Has(ScenarioError(Text(R"({"name": "go", "type": "Pose", "overlays": [{"path": []}]})")),
+          "code"));
 }
 
 TEST(Components, AreReadAndWritten) {
