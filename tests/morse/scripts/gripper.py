@@ -14,7 +14,7 @@ proximity.properties(Track='Graspable')
 robot.append(proximity)
 robot.add_default_interface('socket')
 
-cup = PassiveObject('props/objects', 'Cup')
+cup = PassiveObject('props/kitchen_objects', 'Cup')
 cup.translate(x=1.5, z=1.0)
 cup.setgraspable()
 

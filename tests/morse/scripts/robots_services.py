@@ -29,10 +29,10 @@ human.append(proximity)
 human.add_default_interface('socket')
 human.add_service('socket')
 
-cup = PassiveObject('props/objects', 'Cup')
+cup = PassiveObject('props/kitchen_objects', 'Cup')
 cup.translate(x=0.6, y=5.0, z=0.0)
 cup.setgraspable()
-far_cup = PassiveObject('props/objects', 'Cup')
+far_cup = PassiveObject('props/kitchen_objects', 'Cup')
 far_cup.translate(x=8.0, y=5.0, z=0.0)
 far_cup.setgraspable()
 
