@@ -1,6 +1,7 @@
 #include "bench/simulator.h"
 
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,6 +50,7 @@ Simulator::Simulator(const std::string& ccmorse, const std::string& scenario,
   if (child_ < 0) throw std::runtime_error("cannot start the simulator");
   if (child_ == 0) {
     ::setsid();  // as from another terminal, which Linux schedules as another group
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     ::dup2(ends[1], STDOUT_FILENO);
     ::close(ends[0]);
     ::close(ends[1]);

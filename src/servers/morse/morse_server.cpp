@@ -32,7 +32,6 @@ namespace {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
-using ErrorCode = boost::system::error_code;
 using sim::Outcome;
 using Clock = std::chrono::steady_clock;
 

@@ -9,11 +9,12 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 
+#include "servers/net/stream_socket.h"
+
 namespace ccmorse::servers {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
-using ErrorCode = boost::system::error_code;
 
 StreamSender::StreamSender(asio::io_context& io, bool own_thread)
     : own_thread_(own_thread), io_(own_thread ? own_io_ : io) {}

@@ -8,13 +8,13 @@
 
 #include "base/log.h"
 #include "servers/net/listener.h"
+#include "servers/net/stream_socket.h"
 
 namespace ccmorse::servers {
 namespace {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
-using ErrorCode = boost::system::error_code;
 
 constexpr std::size_t kOneTick = 2048;  // bytes that MORSE takes at once
 constexpr std::size_t kMostWaiting = 16;

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "base/error.h"
+#include "servers/net/stream_socket.h"
 
 namespace ccmorse::servers {
 
 namespace asio = boost::asio;
 using asio::ip::tcp;
-using ErrorCode = boost::system::error_code;
 
 namespace {
 constexpr auto kAcceptPause = std::chrono::milliseconds(100);

@@ -14,8 +14,6 @@ namespace ccmorse::servers {
 /// follows as the peer reads. One thread; belongs to what owns the socket.
 class Outbox {
  public:
-  using ErrorCode = boost::system::error_code;
-
   /// `socket` is non-blocking and outlives the outbox.
   explicit Outbox(StreamSocket& socket) : socket_(socket) {}
 

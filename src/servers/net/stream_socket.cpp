@@ -11,7 +11,6 @@
 namespace ccmorse::servers {
 
 namespace asio = boost::asio;
-using ErrorCode = boost::system::error_code;
 
 std::string PeerName(const asio::ip::tcp::socket& socket) {
   ErrorCode ignored;

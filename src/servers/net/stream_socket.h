@@ -3,11 +3,14 @@
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/system/error_code.hpp>
 #include <cstddef>
 #include <string>
 #include <utility>
 
 namespace ccmorse::servers {
+
+using ErrorCode = boost::system::error_code;
 
 /// A connection of whatever kind: over TCP, or between two threads of one program.
 using StreamSocket = boost::asio::generic::stream_protocol::socket;

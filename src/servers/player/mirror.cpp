@@ -19,6 +19,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/trig.h"
+#include "servers/net/stream_socket.h"
 #include "sim/sensors/laser_scanner.h"
 #include "wire/player/frame.h"
 
@@ -27,7 +28,6 @@ namespace ccmorse::servers {
 namespace asio = boost::asio;
 namespace wire_player = wire::player;
 using asio::ip::tcp;
-using ErrorCode = boost::system::error_code;
 
 namespace {
 

@@ -20,6 +20,7 @@
 #include "base/error.h"
 #include "base/json.h"
 #include "servers/net/listener.h"
+#include "servers/net/stream_socket.h"
 #include "servers/net/warning_limit.h"
 #include "servers/web/view_model.h"
 
@@ -30,7 +31,6 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
 using asio::ip::tcp;
-using ErrorCode = boost::system::error_code;
 using Clock = std::chrono::steady_clock;
 
 namespace {
