@@ -11,12 +11,12 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "servers/real_time.h"
 
 namespace ccmorse::servers {
 namespace {
 
 constexpr auto kFarewell = std::chrono::seconds(2);          // for clients, once the run is over
-constexpr auto kGiveUpCatchingUp = std::chrono::seconds(1);  // real time: how far behind is too far
 constexpr auto kStayAwake = std::chrono::microseconds(100);  // in lock-step, for the next request
 // In real time, before data are due that somebody waits for. Processors that have slept are slow
 // for some milliseconds: they are kept awake until whoever waits has woken by itself, but for no
@@ -27,7 +27,6 @@ constexpr int kRouseShare = 10;  // 1 in so many
 constexpr auto kRoused = std::chrono::microseconds(100);
 constexpr auto kWakeEarly = std::chrono::microseconds(400);
 constexpr auto kLastOrders = std::chrono::microseconds(500);
-constexpr int kHandlersPerTick = 64;  // at full speed, so that no flood of requests stops time
 
 }  // namespace
 

@@ -43,6 +43,20 @@ Vec3 LightAtOrigin(PictureScene& scene, int samples) {
   return TracePaths(scene, camera, options).light[0];
 }
 
+// The colour of what a camera 2 m above `at` sees of a simulation in its middle; `fov`: degrees.
+Vec3 AlbedoFromAbove(const sim::Simulation& simulation, const Vec3& at, double fov,
+                     const PictureOptions& shown = {}) {
+  PictureScene scene;
+  ShowSimulation(simulation, shown, scene);
+  scene.Build(10.0);
+  RenderOptions options;
+  options.width = options.height = 1;
+  options.samples = 1;
+  Camera camera = Camera::LookAt(at + Vec3{0, 0, 2}, at);
+  camera.fov_deg = fov;
+  return TracePaths(scene, camera, options).albedo[0];
+}
+
 TEST(Camera, LooksWhereItIsTold) {
   const Camera camera = Camera::LookAt({1, 1, 1}, {4, 1, 1});
   ExpectNear(camera.Direction(0, 0), {1, 0, 0}, 1e-12);
@@ -197,22 +211,11 @@ TEST(RenderedPicture, ShowsTheCanvasWhereItLies) {
   for (int dx = -3; dx <= 3; ++dx) {
     for (int dy = -3; dy <= 3; ++dy) canvas.SetPixel(x + dx, y + dy, {0, 0, 255});
   }
-  PictureScene scene;
-  ShowSimulation(simulation, {}, scene);
-  scene.Build(10.0);
-  RenderOptions options;
-  options.width = options.height = 1;
-  options.samples = 1;
   const Vec3 at{(x + 0.5) * canvas.cell_size(), (y + 0.5) * canvas.cell_size(), 0.0};
-  Camera camera = Camera::LookAt(at + Vec3{0, 0, 2}, at);
-  camera.fov_deg = 0.1;
-  const Vec3 drawn = TracePaths(scene, camera, options).albedo[0];
+  const Vec3 drawn = AlbedoFromAbove(simulation, at, 0.1);
   EXPECT_GT(drawn.z, 0.5);
   EXPECT_LT(drawn.x, 0.01);
-  PictureScene bare;
-  ShowSimulation(simulation, {false, false}, bare);
-  bare.Build(10.0);
-  EXPECT_GT(TracePaths(bare, camera, options).albedo[0].x, 0.3);
+  EXPECT_GT(AlbedoFromAbove(simulation, at, 0.1, {false, false}).x, 0.3);
 }
 
 TEST(RenderedPicture, ShowsRaisedObstaclesOnly) {
@@ -266,15 +269,7 @@ TEST(RenderedPicture, ShowsAThingWhereItsGripperHasIt) {
                  "shape": [{"vertices": [[-0.1, 0, 0], [0.1, -0.02, 0], [0.1, 0.02, 0]],
                             "triangles": [[0, 1, 2]], "color": "#ff0000"}]}])"));
   const auto is_red = [&simulation](double x, double y) {
-    PictureScene scene;
-    ShowSimulation(simulation, {}, scene);
-    scene.Build(10.0);
-    RenderOptions options;
-    options.width = options.height = 1;
-    options.samples = 1;
-    Camera camera = Camera::LookAt({x, y, 2}, {x, y, 0});
-    camera.fov_deg = 0.01;
-    const Vec3 albedo = TracePaths(scene, camera, options).albedo[0];
+    const Vec3 albedo = AlbedoFromAbove(simulation, {x, y, 0}, 0.01);
     return albedo.x > 0.5 && albedo.y < 0.1;
   };
   // The tip of the sheet's broad end, from its middle.

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "base/log.h"
+#include "servers/real_time.h"
 
 namespace ccmorse::servers {
 namespace {
 
 constexpr auto kSlice = std::chrono::milliseconds(20);  // of a jump, between looks at the sockets
-constexpr auto kFarBehind = std::chrono::seconds(1);
-constexpr int kHandlersPerRound = 64;
 
 }  // namespace
 
@@ -69,7 +68,7 @@ void ReplayServer::GoOnFromHere() {
 
 void ReplayServer::ServeWhatIsThere() {
   io_.restart();
-  for (int i = 0; i < kHandlersPerRound && !stop_ && io_.poll_one() > 0; ++i) {
+  for (int i = 0; i < kHandlersPerTick && !stop_ && io_.poll_one() > 0; ++i) {
   }
 }
 
@@ -119,7 +118,7 @@ bool ReplayServer::WaitForTurn() {
   const auto due = pace_base_ + std::chrono::duration_cast<WallClock::duration>(
                                     std::chrono::duration<double>(seconds));
   const auto now = WallClock::now();
-  if (now - due > kFarBehind) GoOnFromHere();
+  if (now - due > kGiveUpCatchingUp) GoOnFromHere();
   if (now >= due) return true;
   changed_ = rang_ = false;
   bell_.expires_at(due);
