@@ -30,6 +30,11 @@ else
   CPPFLAGS += $(PLAH_CPPFLAGS) $(IMRH_CPPFLAGS)
   LIBRARIES = $(PLAH_LDFLAGS) $(IMRH_LDFLAGS)
 endif
+# A folder that is not there would be passed over in silence, and the next one's files be taken.
+MISSING := $(strip $(foreach folder,$(SOURCES),$(if $(wildcard $(folder)/.),,$(folder))))
+ifneq ($(MISSING),)
+  $(error SOURCES in the Makefile names $(MISSING), which is not there: copy it beside this folder, too)
+endif
 CPPFLAGS += -I. $(addprefix -I,$(SOURCES))
 
 vpath %.cc . $(SOURCES)

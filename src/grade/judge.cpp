@@ -10,11 +10,13 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/line_cells.h"
 #include "base/polygon.h"
 #include "base/trig.h"
 #include "grade/map_answer.h"
 #include "servers/record/replay.h"
 #include "sim/actuators/answers.h"
+#include "sim/sensors/laser_scanner.h"
 
 namespace ccmorse::grade {
 namespace {
@@ -26,17 +28,13 @@ constexpr double kLeastDriven = 0.5;     // m, of who is to be praised for touch
 constexpr double kEndTolerance = 0.045;  // m, of a path's ends: a cell and its neighbours
 constexpr double kTimeSlack = 0.5;       // s before the limit that still count as its end
 
-// An answer and when it came.
-struct TimedAnswer {
-  std::string text;
-  Pose2 pose;  // of the robot then
-};
-
 // All that is looked at while the record is simulated again.
 struct Evidence {
   std::vector<RobotTrack> robots;
-  std::map<std::string, TimedAnswer> answers;  // the first robot's
+  std::map<std::string, std::string> answers;  // the first robot's, as JSON
+  Pose2 end;                                   // of the first robot
   double gap = kEndless;                       // m, smallest between two robots
+  Grid seen{0, 0};                             // by the first robot's lasers; empty: not asked for
 };
 
 std::vector<Vec2> FootprintAt(const sim::Robot& robot) {
@@ -47,12 +45,21 @@ std::vector<Vec2> FootprintAt(const sim::Robot& robot) {
 
 class Watch {
  public:
-  explicit Watch(const servers::Replay& replay)
+  // `sight`: note what the first robot's lasers see, too.
+  Watch(const servers::Replay& replay, bool sight)
       : replay_(replay),
         every_(std::max<std::uint64_t>(
             1, static_cast<std::uint64_t>(
                    std::lround(kSampleTime * replay.info().scenario.time.frequency)))) {
     for (const auto& robot : Sim().robots()) seen_.robots.push_back({robot->name(), {}, 0, 0, 0});
+    if (!sight) return;
+    const Grid walls = Walls(Sim().world().scene(), 0.0);
+    seen_.seen = Grid(walls.width, walls.height);
+    for (const auto& component : Sim().robots().front()->components()) {
+      const auto* const laser = dynamic_cast<const sim::LaserScanner*>(component.get());
+      // Before the first scan there is nothing, which is not a free view.
+      if (laser != nullptr) lasers_.emplace_back(laser, laser->timestamp());
+    }
   }
 
   void Look() {
@@ -72,16 +79,24 @@ class Watch {
       }
     }
     TakeAnswers();
+    for (auto& [laser, looked] : lasers_) {
+      if (laser->timestamp() == looked) continue;
+      looked = laser->timestamp();
+      TakeScan(*laser);
+    }
   }
 
   Evidence End() {
     TakeAnswers();
+    // Between the beams of a scan lies as much as a cell.
+    if (seen_.seen.width > 0) seen_.seen = Grown(seen_.seen, 1);
     for (std::size_t i = 0; i < Sim().robots().size(); ++i) {
       const sim::RobotTally& tally = Sim().robots()[i]->tally();
       seen_.robots[i].distance = tally.distance;
       seen_.robots[i].contacts = tally.contacts;
       seen_.robots[i].contact_time = tally.stalled;
     }
+    if (!Sim().robots().empty()) seen_.end = Sim().robots().front()->pose();
     return std::move(seen_);
   }
 
@@ -95,13 +110,39 @@ class Watch {
         dynamic_cast<const sim::Answers*>(Sim().FindComponent(robot.name() + ".answers"));
     if (answers == nullptr || answers->revision() == revision_) return;
     for (const auto& [name, answer] : answers->answers()) {
-      if (answer.revision > revision_) seen_.answers[name] = {answer.text, before_};
+      if (answer.revision > revision_) seen_.answers[name] = answer.text;
     }
     revision_ = answers->revision();
   }
 
+  // The cells that the beams of the tick's scan crossed, and those where they ended; a scan shows
+  // where the robot was when the tick began. And where the robot stands it has been.
+  void TakeScan(const sim::LaserScanner& laser) {
+    const sim::BeamFan& fan = laser.fan();
+    const Vec2 from = Transform(before_, {fan.position().x, fan.position().y});
+    const Cell start = CellOf(from);
+    const auto [sine, cosine] = SinCos(before_.yaw);
+    for (std::size_t i = 0; i < fan.count(); ++i) {
+      const Vec3 own = Rotate(fan.rotation(), fan.Direction(i));
+      const Vec2 along{cosine * own.x - sine * own.y, sine * own.x + cosine * own.y};
+      const double range = laser.ranges()[i];
+      const Cell end = CellOf(from + range * along);
+      ForEachLineCell(start.x, start.y, end.x, end.y, seen_.seen.width, seen_.seen.height,
+                      [this](int x, int y) {
+                        seen_.seen.Set({x, y});
+                      });
+    }
+    const Cell middle = CellOf({before_.x, before_.y});
+    for (int dy = -kDilation; dy <= kDilation; ++dy) {
+      for (int dx = -kDilation; dx <= kDilation; ++dx) {
+        if (dx * dx + dy * dy > kDilation * kDilation) continue;
+        seen_.seen.Set({middle.x + dx, middle.y + dy});
+      }
+    }
+  }
+
  public:
-  // An answer of a tick is about what the sensors saw at its start.
+  // The sensors of a tick see what is at its start.
   void Before() {
     if (!Sim().robots().empty()) before_ = Sim().robots().front()->pose();
   }
@@ -112,7 +153,13 @@ class Watch {
   Evidence seen_;
   std::uint64_t revision_ = 0;
   Pose2 before_;
+  std::vector<std::pair<const sim::LaserScanner*, double>> lasers_;  // and when they last looked, s
 };
+
+// What is only told from what the robot saw.
+bool NeedsSight(const std::string& measure) {
+  return measure == "explored" || measure == "cell_accuracy" || measure == "map_iou";
+}
 
 double LengthOf(const std::vector<Vec2>& line) {
   double length = 0.0;
@@ -187,7 +234,7 @@ class Measures {
     if (name == "turning_rad") return Turning();
     if (name == "map_iou") return Map().iou;
     if (name == "cell_accuracy") return Map().accuracy;
-    if (name == "explored") return Map().explored;
+    if (name == "explored") return Explored();
     if (name == "wall_error_m") return WallError();
     if (name == "overshoot") return Overshoot();
     if (name == "tracking_error_m") return TrackingError();
@@ -244,7 +291,7 @@ class Measures {
     return all == 0 ? 0.0 : static_cast<double>(visited) / all;
   }
 
-  const TimedAnswer& Answer(const char* name) const {
+  const std::string& Answer(const char* name) const {
     const auto found = seen_.answers.find(name);
     if (found == seen_.answers.end()) {
       throw Error(fmt::format("the program handed in no \"{}\"", name));
@@ -255,7 +302,7 @@ class Measures {
   const std::vector<Vec2>& Path() {
     if (judgement_.path.empty()) {
       try {
-        judgement_.path = ReadPath(Answer("path").text);
+        judgement_.path = ReadPath(Answer("path"));
       } catch (const Error& error) {
         const bool missing = !seen_.answers.contains("path");
         throw Error(missing ? error.what() : fmt::format("the path is no good: {}", error.what()));
@@ -270,7 +317,8 @@ class Measures {
     return *judgement_.route;
   }
 
-  // The share of the path that lies in free cells; 0 where it does not lead from start to goal.
+  // 1 less what of the path lies in no free cell, as a share of the shortest way: not of the path's
+  // own length, which a detour would make as long as wanted.
   double PathValid() {
     const std::vector<Vec2>& path = Path();
     const Route& route = TheRoute();
@@ -287,28 +335,30 @@ class Measures {
           fmt::format("the path ends {:.2f} m from the goal", off(path.back(), route.goal)));
     }
     const Grid free = Inverted(Grown(PlannersMap(info_.scenario.world), kDilation));
-    std::int64_t all = 0;
-    std::int64_t good = 0;
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      const Vec2 from = path[i == 0 ? 0 : i - 1];
-      const Vec2 along = path[i] - from;
+    double blocked = 0.0;  // m
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Vec2 along = path[i] - path[i - 1];
       // Samples a twentieth of a cell apart, of which none is on a corner of four cells alone.
       const double length = std::hypot(along.x, along.y);
       const auto steps = static_cast<std::int64_t>(std::min(length / (kCell / 20.0), 1e7)) + 1;
+      const double step = length / static_cast<double>(steps);
       for (std::int64_t k = 0; k < steps; ++k) {
         const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(steps);
-        ++all;
-        good += free.Has(CellOf(from + share * along)) ? 1 : 0;
+        if (!free.Has(CellOf(path[i - 1] + share * along))) blocked += step;
       }
     }
-    return static_cast<double>(good) / static_cast<double>(all);
+    return std::max(0.0, 1.0 - blocked / BestLength(free));
+  }
+
+  // m, of the oracle's way.
+  double BestLength(const Grid& free) {
+    return ShortestWay(free, TheRoute().start, TheRoute().goal) * kCell;
   }
 
   double LengthRatio() {
     if (PathValid() < 0.99) throw Error("a path through walls has no length to be compared");
     const Grid free = Inverted(Grown(PlannersMap(info_.scenario.world), kDilation));
-    const double best = ShortestWay(free, TheRoute().start, TheRoute().goal) * kCell;
-    return LengthOf(Path()) / best;
+    return LengthOf(Path()) / BestLength(free);
   }
 
   double Turning() {
@@ -327,7 +377,7 @@ class Measures {
 
   const MapScores& Map() {
     if (map_) return *map_;
-    const std::string& text = Answer("map").text;
+    const std::string& text = Answer("map");
     MapAnswer map;
     try {
       map = ReadMap(text);
@@ -336,7 +386,19 @@ class Measures {
     }
     const Vec2 start{Samples().front().pose.x, Samples().front().pose.y};
     const scene::World& world = info_.scenario.world;
-    return map_.emplace(CompareMap(map, world, ReachableFloor(world, start)));
+    judgement_.map = PictureOf(map, world, seen_.seen);
+    return map_.emplace(CompareMap(map, world, ReachableFloor(world, start), seen_.seen));
+  }
+
+  double Explored() const {
+    const Vec2 start{Samples().front().pose.x, Samples().front().pose.y};
+    const Grid floor = ReachableFloor(info_.scenario.world, start);
+    int seen = 0;
+    for (std::size_t i = 0; i < floor.cells.size(); ++i) {
+      seen += floor.cells[i] != 0 && seen_.seen.cells[i] != 0 ? 1 : 0;
+    }
+    const int all = floor.Count();
+    return all == 0 ? 0.0 : static_cast<double>(seen) / all;
   }
 
   // From when the robot first was as far from a wall as it is to be, or 10 s have gone by.
@@ -387,27 +449,39 @@ class Measures {
   }
 
   double FinalError() const {
-    const TimedAnswer& answer = Answer("pose");
+    const std::string& answer = Answer("pose");
     Pose2 said;
     try {
-      said = ReadPose(answer.text);
+      said = ReadPose(answer);
     } catch (const Error& error) {
       throw Error(fmt::format("the pose is no good: {}", error.what()));
     }
-    return std::hypot(said.x - answer.pose.x, said.y - answer.pose.y);
+    return std::hypot(said.x - seen_.end.x, said.y - seen_.end.y);
+  }
+
+  // Of the robot that did worst.
+  double GoalError() const {
+    RequireDriven();
+    double worst = 0.0;
+    for (const auto& [name, goals] : rubric_.reference.goals) {
+      const auto robot =
+          std::find_if(seen_.robots.begin(), seen_.robots.end(),
+                       [&](const RobotTrack& track) { return name.empty() || track.name == name; });
+      if (robot == seen_.robots.end()) throw Error("there is no robot " + name + " with a goal");
+      worst = std::max(worst, GoalError(goals, robot->samples));
+    }
+    return worst;
   }
 
   // The smallest mean over all choices of moments in order.
-  double GoalError() const {
-    RequireDriven();
-    const std::vector<Vec2>& goals = rubric_.reference.goals;
-    std::vector<double> best(Samples().size(), 0.0);
+  static double GoalError(const std::vector<Vec2>& goals, const std::vector<Sample>& samples) {
+    std::vector<double> best(samples.size(), 0.0);
     for (const Vec2& goal : goals) {
       double least = kEndless;
       double before = kEndless;
-      for (std::size_t i = 0; i < Samples().size(); ++i) {
+      for (std::size_t i = 0; i < samples.size(); ++i) {
         before = std::min(before, best[i]);
-        const Pose2& pose = Samples()[i].pose;
+        const Pose2& pose = samples[i].pose;
         least = std::min(least, before + std::hypot(pose.x - goal.x, pose.y - goal.y));
         best[i] = least;
       }
@@ -432,14 +506,18 @@ CriterionResult JudgeCriterion(const Criterion& criterion, Measures& measures) {
   } else {
     result.points = Points(criterion, *measured.value);
   }
-  if (criterion.only_if && measured.value) {
-    const MeasureValue& needed = measures.Of(criterion.only_if->measure);
-    if (!needed.value || *needed.value < criterion.only_if->least) {
-      result.points = 0.0;
-      result.reason = fmt::format("counts only with {} of {} or more, and it was {}",
-                                  criterion.only_if->measure, criterion.only_if->least,
-                                  needed.value ? fmt::format("{:.3g}", *needed.value) : "none");
-    }
+  for (const Criterion::Condition& condition : criterion.only_if) {
+    if (!measured.value) break;
+    const MeasureValue& needed = measures.Of(condition.measure);
+    const bool low = needed.value && *needed.value < condition.least;
+    const bool high = needed.value && *needed.value > condition.most;
+    if (needed.value && !low && !high) continue;
+    const bool least = low || (!high && std::isfinite(condition.least));
+    result.points = 0.0;
+    result.reason = fmt::format("counts only with {} of {} or {}, and it was {}", condition.measure,
+                                least ? condition.least : condition.most, least ? "more" : "less",
+                                needed.value ? fmt::format("{:.3g}", *needed.value) : "none");
+    break;
   }
   // The hint is about what was measured, and would contradict why nothing was.
   if (result.reason.empty() && result.points < criterion.weight * 0.999) {
@@ -458,7 +536,13 @@ Judgement Judge(const Rubric& rubric, const std::string& record) {
     throw servers::RecordError("the record " + record + " has no robot to be judged");
   }
   const std::uint64_t blank = replay.simulation().canvas().revision();
-  Watch watch(replay);
+  const bool sight =
+      std::any_of(rubric.criteria.begin(), rubric.criteria.end(), [](const Criterion& criterion) {
+        return NeedsSight(criterion.measure) ||
+               std::any_of(criterion.only_if.begin(), criterion.only_if.end(),
+                           [](const auto& condition) { return NeedsSight(condition.measure); });
+      });
+  Watch watch(replay, sight);
   watch.Before();
   watch.Look();
   for (;;) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/pose.h"
+#include "grade/map_answer.h"
 #include "grade/rubric.h"
 #include "grade/worlds.h"
 #include "scene/scenario.h"
@@ -58,12 +59,14 @@ struct Judgement {
   std::vector<RobotTrack> robots;  ///< by name
   std::optional<Route> route;      ///< of tasks whose rubric measures a path
   std::vector<Vec2> path;          ///< handed in, m; empty where none was
+  std::optional<MapPicture> map;  ///< of tasks whose rubric measures a map, where one was handed in
 };
 
 /// Judges the record of a run: a pure function of the record and the rubric, for the record is
 /// simulated again, compared with its hashes, and measured from outside; what the program printed
 /// or drew counts nothing. Measures are of the first robot by name, but for robots_gap_m, contacts,
-/// contact_s and stuck_s, which take the worst of all robots. docs/grading.md defines each. Throws
+/// contact_s, stuck_s and goal_error_m, which take the worst of the robots. What a map is worth is
+/// limited to what the robot's lasers saw. docs/grading.md defines each. Throws
 /// servers::RecordError for a record that is damaged, or none, or does not come out the same again.
 Judgement Judge(const Rubric& rubric, const std::string& record);
 

@@ -125,36 +125,58 @@ Grid ReachableFloor(const scene::World& world, Vec2 start) {
   return floor;
 }
 
-MapScores CompareMap(const MapAnswer& map, const scene::World& world, const Grid& reachable) {
+MapScores CompareMap(const MapAnswer& map, const scene::World& world, const Grid& reachable,
+                     const Grid& seen) {
   MapScores scores;
   const Grid walls = Walls(world, 0.0);
+  const Grid near = Grown(seen, kTolerance);
   Grid said(walls.width, walls.height);
-  int all = 0;
-  int known = 0;
+  Grid said_and_seen = said;
   int right = 0;
   for (int y = 0; y < walls.height; ++y) {
     for (int x = 0; x < walls.width; ++x) {
-      const char cell = map.At(MiddleOf({x, y}));
-      if (cell == '1') said.Set({x, y});
-      if (!reachable.Has({x, y})) continue;
-      ++all;
-      known += cell != '?' ? 1 : 0;
-      right += cell == '0' ? 1 : 0;
+      const Cell at{x, y};
+      const char cell = map.At(MiddleOf(at));
+      if (cell == '1') said.Set(at);
+      if (cell == '1' && near.Has(at)) said_and_seen.Set(at);
+      right += cell == '0' && reachable.Has(at) && seen.Has(at) ? 1 : 0;
     }
   }
-  if (all > 0) {
-    scores.explored = static_cast<double>(known) / all;
-    scores.accuracy = static_cast<double>(right) / all;
-  }
+  const int all = reachable.Count();
+  if (all > 0) scores.accuracy = static_cast<double>(right) / all;
   // Only surfaces can be seen: those that border on where the robot can come.
   Grid surfaces = Grown(reachable, kTolerance);
   for (std::size_t i = 0; i < surfaces.cells.size(); ++i) {
     if (walls.cells[i] == 0) surfaces.cells[i] = 0;
   }
   const double precision = Matched(said, walls);
-  const double recall = Matched(surfaces, said);
+  const double recall = Matched(surfaces, said_and_seen);
   if (precision > 0.0 && recall > 0.0) scores.iou = 1.0 / (1.0 / precision + 1.0 / recall - 1.0);
   return scores;
+}
+
+MapPicture PictureOf(const MapAnswer& map, const scene::World& world, const Grid& seen) {
+  const Grid walls = Walls(world, 0.0);
+  const Grid near_walls = Grown(walls, kTolerance);
+  const Grid near_seen = Grown(seen, kTolerance);
+  MapPicture picture{walls.width, walls.height, {}};
+  picture.cells.reserve(walls.cells.size());
+  for (int y = 0; y < walls.height; ++y) {
+    for (int x = 0; x < walls.width; ++x) {
+      const Cell at{x, y};
+      const char cell = map.At(MiddleOf(at));
+      MapPicture::Kind kind = MapPicture::kUnknown;
+      if (cell != '?' && !near_seen.Has(at)) {
+        kind = MapPicture::kNotSeen;
+      } else if (cell == '1') {
+        kind = near_walls.Has(at) ? MapPicture::kWall : MapPicture::kInventedWall;
+      } else if (cell == '0') {
+        kind = walls.Has(at) ? MapPicture::kMissedWall : MapPicture::kFree;
+      }
+      picture.cells.push_back(kind);
+    }
+  }
+  return picture;
 }
 
 }  // namespace ccmorse::grade

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,13 +32,32 @@ Pose2 ReadPose(const std::string& text);
 /// wherever there is room, and that are no wall.
 Grid ReachableFloor(const scene::World& world, Vec2 start);
 
-/// How a map compares with the truth. `reachable` is ReachableFloor().
+/// How a map compares with the truth, where the robot saw it: what nobody saw was not mapped, and a
+/// map that is right there was guessed, or brought along.
 struct MapScores {
-  double explored = 0.0;  ///< share of the reachable cells that the map knows
-  double accuracy = 0.0;  ///< share of them that it knows to be free
+  double accuracy = 0.0;  ///< share of the reachable cells that were seen, and that it calls free
   double iou = 0.0;       ///< intersection over union of the walls, with kTolerance cells of play
 };
 inline constexpr int kTolerance = 2;
-MapScores CompareMap(const MapAnswer& map, const scene::World& world, const Grid& reachable);
+
+/// `reachable` is ReachableFloor(), `seen` the cells that the robot saw.
+MapScores CompareMap(const MapAnswer& map, const scene::World& world, const Grid& reachable,
+                     const Grid& seen);
+
+/// Each cell of the world as a map has it, for a picture.
+struct MapPicture {
+  enum Kind : std::uint8_t {
+    kUnknown,       ///< the map does not know
+    kFree,          ///< free, and so it says
+    kWall,          ///< a wall is there, or no more than kTolerance cells away, and so it says
+    kInventedWall,  ///< it says that there is a wall, and there is none
+    kMissedWall,    ///< it says that it is free, and it is a wall
+    kNotSeen        ///< it says something that the robot did not see
+  };
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> cells;  ///< (height, width) of Kind, row by row from the bottom
+};
+MapPicture PictureOf(const MapAnswer& map, const scene::World& world, const Grid& seen);
 
 }  // namespace ccmorse::grade

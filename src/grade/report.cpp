@@ -42,6 +42,7 @@ background:var(--back);border:1px solid var(--line);border-radius:8px;padding:12
 .key i{display:inline-block;width:14px;height:10px;border-radius:3px;margin-right:5px}
 .criteria th:nth-child(1){width:170px}.criteria th:nth-child(2){width:90px}
 .criteria th:nth-child(3){width:110px}.criteria th:nth-child(4){width:130px}
+h4{font-size:15px;font-weight:500;margin:16px 0 6px}
 svg text{fill:var(--soft);font:11px system-ui,sans-serif}
 </style>)";
 
@@ -132,8 +133,10 @@ std::string FromAbove(const Rubric& rubric, const Judgement& judgement) {
     out += Polyline(rubric.reference.trajectory, height,
                     "stroke=\"var(--goal)\" stroke-width=\"1.6\" stroke-dasharray=\"4 3\"");
   }
-  for (const Vec2& goal : rubric.reference.goals) {
-    out += Disc(goal, height, 5.0, "fill=\"none\" stroke=\"var(--goal)\" stroke-width=\"1.6\"");
+  for (const auto& [robot, goals] : rubric.reference.goals) {
+    for (const Vec2& goal : goals) {
+      out += Disc(goal, height, 5.0, "fill=\"none\" stroke=\"var(--goal)\" stroke-width=\"1.6\"");
+    }
   }
   if (judgement.path.size() > 1) {
     out += Polyline(judgement.path, height, "stroke=\"#e8830c\" stroke-width=\"2.2\"");
@@ -181,6 +184,46 @@ std::string FromAbove(const Rubric& rubric, const Judgement& judgement) {
                                    [](const RobotTrack& robot) { return robot.contacts > 0; });
   if (touched) out += "<span><i style=\"background:var(--bad)\"></i>contact</span>";
   return out + "</div>\n";
+}
+
+// --- The map handed in: a shape for each kind of cell, of runs of cells in a row.
+
+struct Shade {
+  MapPicture::Kind kind;
+  const char* color;
+  const char* name;
+};
+constexpr std::array<Shade, 6> kShades = {
+    {{MapPicture::kUnknown, "var(--line)", "unknown"},
+     {MapPicture::kFree, "var(--floor)", "free"},
+     {MapPicture::kWall, "var(--text)", "wall"},
+     {MapPicture::kInventedWall, "#e8830c", "no wall is there"},
+     {MapPicture::kMissedWall, "var(--bad)", "a wall is there"},
+     {MapPicture::kNotSeen, "var(--goal)", "said, but not seen"}}};
+
+std::string MapFromAbove(const MapPicture& map) {
+  std::string out = fmt::format(
+      "<svg viewBox=\"-1 -1 {} {}\" role=\"img\" shape-rendering=\"crispEdges\" "
+      "aria-label=\"the map that was handed in\">\n",
+      map.width + 2, map.height + 2);
+  std::string key = "</svg>\n<div class=\"key\">";
+  for (const Shade& shade : kShades) {
+    std::string shape;
+    for (int y = 0; y < map.height; ++y) {
+      const auto* const row = map.cells.data() + static_cast<std::ptrdiff_t>(y) * map.width;
+      for (int x = 0, end = 0; x < map.width; x = end) {
+        for (end = x + 1; end < map.width && row[end] == row[x];) ++end;
+        if (row[x] != shade.kind) continue;
+        shape += fmt::format("M{} {}h{}v1H{}z", x, map.height - 1 - y, end - x, x);
+      }
+    }
+    if (shape.empty()) continue;
+    out += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", shade.color, shape);
+    key +=
+        fmt::format("<span><i style=\"background:{};border:1px solid var(--line)\"></i>{}</span>",
+                    shade.color, shade.name);
+  }
+  return out + key + "</div>\n";
 }
 
 // --- A plot over time.
@@ -244,7 +287,9 @@ std::string RunCard(const Rubric& rubric, const RunReport& run) {
   }
   if (run.judgement) {
     const Judgement& judged = *run.judgement;
-    out += "<div class=\"run\"><div>" + FromAbove(rubric, judged) + "</div><div>";
+    out += "<div class=\"run\"><div>" + FromAbove(rubric, judged);
+    if (judged.map) out += "<h4>The map handed in</h4>\n" + MapFromAbove(*judged.map);
+    out += "</div><div>";
     for (const RobotTrack& robot : judged.robots) {
       if (robot.samples.size() < 2) continue;
       const std::string of = judged.robots.size() > 1 ? ", " + Escaped(robot.name) : "";

@@ -84,9 +84,34 @@ Reference ReadReference(const Field& field) {
     reference.wall_distance_m = reader.Require("wall_distance_m").Number({0.0, 100.0});
   }
   if (reader.Has("trajectory")) reference.trajectory = Points2(reader.Require("trajectory"), 2);
-  if (reader.Has("goals")) reference.goals = Points2(reader.Require("goals"), 1);
+  if (reader.Has("goals")) {
+    const Field goals = reader.Require("goals");
+    if (goals.value().IsObject()) {
+      ObjectReader robots(goals);
+      for (const auto& member : goals.value().AsObject()) {
+        reference.goals[member.first] = Points2(robots.Require(member.first), 1);
+      }
+      if (reference.goals.empty()) goals.FailHere("names no robot");
+    } else {
+      reference.goals[""] = Points2(goals, 1);
+    }
+  }
   reader.Finish();
   return reference;
+}
+
+Criterion::Condition ReadCondition(const Field& field) {
+  ObjectReader reader(field);
+  Criterion::Condition condition;
+  condition.measure = MeasureOf(reader.Require("measure"));
+  if (!reader.Has("at_least") && !reader.Has("at_most")) {
+    field.FailHere("needs 'at_least' or 'at_most'");
+  }
+  constexpr Range kAny{-kFarthest, kFarthest};
+  if (reader.Has("at_least")) condition.least = reader.Require("at_least").Number(kAny);
+  if (reader.Has("at_most")) condition.most = reader.Require("at_most").Number(kAny);
+  reader.Finish();
+  return condition;
 }
 
 Criterion ReadCriterion(const Field& field) {
@@ -101,11 +126,12 @@ Criterion ReadCriterion(const Field& field) {
   if (criterion.full == criterion.none) full.FailHere("is the same as 'none'");
   criterion.hint = TextOr(reader, "hint", "");
   if (reader.Has("only_if")) {
-    ObjectReader condition(reader.Require("only_if"));
-    criterion.only_if =
-        Criterion::Condition{MeasureOf(condition.Require("measure")),
-                             condition.Require("at_least").Number({-kFarthest, kFarthest})};
-    condition.Finish();
+    const Field given = reader.Require("only_if");
+    if (given.value().IsArray()) {
+      for (const Field& item : given.Items()) criterion.only_if.push_back(ReadCondition(item));
+    } else {
+      criterion.only_if.push_back(ReadCondition(given));
+    }
   }
   reader.Finish();
   return criterion;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +32,8 @@ struct Limits {
 struct Reference {
   std::optional<double> wall_distance_m;  ///< m from the robot's middle to the nearest wall
   std::vector<Vec2> trajectory;           ///< m, corners of a line
-  std::vector<Vec2> goals;                ///< m, in the order in which they are to be visited
+  /// m, in the order in which they are to be visited, by robot; "" is the first robot by name.
+  std::map<std::string, std::vector<Vec2>> goals;
 };
 
 /// A measure and what it is worth.
@@ -41,12 +44,13 @@ struct Criterion {
   double full = 0.0;    ///< this value gives all points,
   double none = 0.0;    ///< this gives none; between them they rise evenly
   std::string hint;     ///< what to look at where points were lost
-  /// Counts only where another measure has this value at least: who does nothing touches nothing.
+  /// Counts only where another measure lies within these bounds: who does nothing touches nothing.
   struct Condition {
     std::string measure;
-    double least = 0.0;
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
   };
-  std::optional<Condition> only_if;
+  std::vector<Condition> only_if;  ///< all of them have to hold
 };
 
 /// How a task is graded: the file rubric.json in the task's folder (docs/grading.md).

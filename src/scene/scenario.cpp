@@ -554,6 +554,43 @@ OdometryDef ReadOdometry(const Field& field) {
   return odometry;
 }
 
+WearDef ReadWear(const Field& field) {
+  ObjectReader reader(field);
+  WearDef wear;
+  wear.pull = reader.Number("pull", wear.pull, {-10.0, 10.0});
+  wear.turn_lag = reader.Number("turn_lag", wear.turn_lag, {0.0, 10.0});
+  reader.Finish();
+  return wear;
+}
+
+bool Lacks(const RobotDef& robot, const std::string& device) {
+  return std::find(robot.without.begin(), robot.without.end(), device) != robot.without.end();
+}
+
+// Takes the devices that a robot goes without from those that its type has; Player's indexes that
+// the file does not name go with them.
+void ReadWithout(const Field& field, RobotDef& robot) {
+  for (const Field& item : field.Items()) {
+    const std::string device = item.Choice(RemovableDevices());
+    if (Lacks(robot, device)) item.FailHere("is there twice");
+    robot.without.push_back(device);
+    for (auto& [interface, table] : robot.proxies) {
+      std::erase_if(table, [&](const auto& entry) { return entry.second == device; });
+    }
+  }
+}
+
+// A proxy of what is not there would be found out when a client asks for it, and not before.
+void CheckProxies(ObjectReader& reader, const RobotDef& robot) {
+  for (const auto& [interface, table] : robot.proxies) {
+    for (const auto& [index, device] : table) {
+      if (!Lacks(robot, device)) continue;
+      reader.Require("proxies").FailHere(
+          fmt::format("has '{}' as {}:{}, and 'without' takes it away", device, interface, index));
+    }
+  }
+}
+
 std::vector<RangerDef> ReadRangers(const Field& field, const RobotModel& model) {
   static const std::vector<std::string> taken = {
       "pose", "odometry", "hokuyo", "ir", "sonar", "properties", "motion", "waypoint", "pen"};
@@ -950,6 +987,11 @@ RobotDef ReadRobot(const Field& field, std::size_t number) {
   if (robot.front == "sensors") robot.proxies.erase("laser");
   if (reader.Has("ir")) robot.ir = ReadRing(reader.Require("ir"), model.ir);
   if (reader.Has("sonar")) robot.sonar = ReadRing(reader.Require("sonar"), model.sonar);
+  if (reader.Has("without")) {
+    const Field without = reader.Require("without");
+    if (own) without.FailHere("is of no use beside 'components', which lists all there are");
+    ReadWithout(without, robot);
+  }
   if (reader.Has("proxies")) ReadProxies(reader.Require("proxies"), robot.proxies);
   if (reader.Has("drivers")) ReadDrivers(reader.Require("drivers"), robot.drivers);
   if (reader.Has("laser")) robot.laser = ReadLaser(reader.Require("laser"), robot.laser);
@@ -957,6 +999,12 @@ RobotDef ReadRobot(const Field& field, std::size_t number) {
   if (reader.Has("pose_noise")) robot.pose_noise = ReadPoseNoise(reader.Require("pose_noise"));
   if (reader.Has("odometry")) robot.odometry = ReadOdometry(reader.Require("odometry"));
   if (reader.Has("properties")) robot.properties = ReadProperties(reader.Require("properties"));
+  CheckProxies(reader, robot);
+  if (reader.Has("wear")) {
+    const Field wear = reader.Require("wear");
+    if (robot.body && robot.body->dynamics) wear.FailHere("is for robots that forces do not move");
+    robot.wear = ReadWear(wear);
+  }
   robot.services = reader.Bool("services", robot.services);
   if (reader.Has("skills")) {
     for (const Field& item : reader.Require("skills").Items()) {
@@ -1482,6 +1530,11 @@ Json RobotToJson(const RobotDef& robot) {
   const OdometryDef& odometry = robot.odometry;
   object.emplace_back("odometry", Json::Object{{"start", PoseToJson(odometry.start)},
                                                {"error", VectorToJson(odometry.error)}});
+  if (robot.wear != WearDef{}) {
+    object.emplace_back("wear",
+                        Json::Object{{"pull", robot.wear.pull}, {"turn_lag", robot.wear.turn_lag}});
+  }
+  AddTexts(object, "without", robot.without);
   if (robot.front == "laser") object.emplace_back("laser", LaserToJson(robot.laser));
   if (robot.ir) object.emplace_back("ir", RingToJson(*robot.ir));
   if (robot.sonar) object.emplace_back("sonar", RingToJson(*robot.sonar));
@@ -1518,6 +1571,12 @@ std::vector<std::string> PlaceProblems(const Scenario& scenario) {
     problems.push_back(ProblemOfPlace(scenario, mesh_parts, i));
   }
   return problems;
+}
+
+const std::vector<std::string>& RemovableDevices() {
+  static const std::vector<std::string> devices = {"answers", "odometry", "pen", "pose",
+                                                   "waypoint"};
+  return devices;
 }
 
 const std::vector<std::string>& RobotSkills() {
@@ -1602,10 +1661,15 @@ std::vector<std::string> DevicesFor(const RobotDef& robot, const std::string& in
     }
     return devices;
   }
-  if (interface == "position2d") return {"pose", "odometry"};
+  std::vector<std::string> devices;
+  if (interface == "position2d") {
+    for (const char* device : {"pose", "odometry"}) {
+      if (!Lacks(robot, device)) devices.emplace_back(device);
+    }
+    return devices;
+  }
   const bool lasers = interface == "laser" || interface == "ranger";
   const bool rings = interface == "sonar" || interface == "ir" || interface == "ranger";
-  std::vector<std::string> devices;
   if (lasers && robot.front == "laser") devices.emplace_back("hokuyo");
   if (rings && robot.ir) devices.emplace_back("ir");
   if (rings && robot.sonar) devices.emplace_back("sonar");

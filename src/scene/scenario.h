@@ -215,6 +215,14 @@ struct OdometryDef {
   Vec3 error;
 };
 
+/// How a worn robot's turning differs from what it is told: one wheel is smaller than the other,
+/// and the motors answer late. It turns at w + pull * v, where dw/dt = (told - w) / turn_lag.
+struct WearDef {
+  double pull = 0.0;      ///< rad/m, to the left of a robot that goes forward
+  double turn_lag = 0.0;  ///< s, >= 0: time constant of its turning
+  bool operator==(const WearDef&) const = default;
+};
+
 /// The noise of a robot's pose sensor, with the names of MORSE's PoseNoise modifier (specs:
 /// morse.md B.5): what it adds to each fresh pose, normally distributed.
 struct PoseNoiseDef {
@@ -289,6 +297,9 @@ struct ComponentDef {
 /// The types of component that the simulator has, sorted, by MORSE's names.
 const std::vector<std::string>& ComponentTypes();
 
+/// The devices that robots of a type may go without (RobotDef::without), sorted.
+const std::vector<std::string>& RemovableDevices();
+
 /// What robots may do themselves, sorted: "grasp" of MORSE's Human, "heal" of its Victim.
 const std::vector<std::string>& RobotSkills();
 
@@ -353,6 +364,9 @@ struct RobotDef {
   std::vector<RangerDef> rangers;  ///< and these
   PoseNoiseDef pose_noise;
   OdometryDef odometry;
+  WearDef wear;
+  /// Devices of its type that it has not, of RemovableDevices(): a task may hide where it is.
+  std::vector<std::string> without;
   std::optional<BodyDef> body;  ///< of a robot of type "Custom", and of no other
   /// All its devices where it has not those of its type; then front is "none".
   std::optional<std::vector<ComponentDef>> components;

@@ -146,8 +146,8 @@ ResultsFile::ResultsFile(std::string path, const std::vector<BatchJob>& jobs,
 
 ResultsFile::~ResultsFile() { ::close(file_); }
 
-void ResultsFile::Keep(bool (*keep)(const Json& line)) {
-  if (std::erase_if(results_, [keep](const auto& entry) { return !keep(entry.second); }) > 0) {
+void ResultsFile::Keep(const std::function<bool(const Json& line)>& keep) {
+  if (std::erase_if(results_, [&keep](const auto& entry) { return !keep(entry.second); }) > 0) {
     Sort();
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -41,7 +42,7 @@ class ResultsFile {
   const BatchResults& results() const { return results_; }
 
   /// Leaves out what `keep` refuses, for those jobs to be done again. Throws Error.
-  void Keep(bool (*keep)(const Json& line));
+  void Keep(const std::function<bool(const Json& line)>& keep);
   /// Adds a line at the end. Throws Error when it cannot be written.
   void Add(const BatchJob& job, const Json& line);
   /// Puts the lines into the manifest's order, all at once: a kill leaves either the old file or

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -222,6 +223,7 @@ std::vector<BatchJob> ClassJobs(const GradeArguments& arguments, const std::stri
 // grader reaches the others.
 struct ClassRun {
   const BatchJob* job = nullptr;
+  std::string digest;  // of what it is graded by
   std::string folder;
   std::unique_ptr<ChildProcess> process;
   std::string out;
@@ -230,6 +232,7 @@ struct ClassRun {
 
 Json LineOf(const ClassRun& run) {
   Json line = JobLine(*run.job);
+  line.Set("digest", run.digest);
   const ExitStatus& status = *run.process->Status();
   const bool graded = status.signal == 0 && (status.code == 0 || status.code == kNotPassed);
   line.Set("status", graded ? "ok" : "failed");
@@ -288,13 +291,27 @@ int GradeClass(const GradeArguments& arguments) {
   fs::create_directories(out);
   const std::vector<BatchJob> jobs = ClassJobs(arguments, course.task);
   ResultsFile results(out + "/results.jsonl", jobs, arguments.class_folder);
+  std::map<std::string, std::string> digests;
+  for (const BatchJob& job : jobs) digests[job.name] = DigestOf(job.program_file, rubric);
+  // Who has handed in anew is graded anew, and so are all with another rubric.
+  const std::size_t known = results.results().size();
+  results.Keep([&digests](const Json& line) {
+    const Json* const digest = line.Find("digest");
+    return digest != nullptr && digest->IsString() &&
+           digest->AsString() == digests.at(line.Find("name")->AsString());
+  });
   std::vector<const BatchJob*> todo;
   for (const BatchJob& job : jobs) {
     if (!results.results().contains(job.name)) todo.push_back(&job);
   }
   const int before = static_cast<int>(jobs.size() - todo.size());
-  if (before > 0 && !arguments.quiet) {
-    fmt::print(stderr, "{} of {} submissions were graded before\n", before, jobs.size());
+  if (known > 0 && !arguments.quiet) {
+    fmt::print(stderr, "{} of {} submissions were graded before", before, jobs.size());
+    if (known > results.results().size()) {
+      fmt::print(stderr, ", {} have changed since then, or the task has",
+                 known - results.results().size());
+    }
+    fmt::print(stderr, "\n");
   }
   BatchProgress progress(static_cast<int>(jobs.size()), before, arguments.quiet);
   std::vector<ClassRun> running;
@@ -303,6 +320,7 @@ int GradeClass(const GradeArguments& arguments) {
     while (next < todo.size() && running.size() < at_once) {
       ClassRun run;
       run.job = todo[next++];
+      run.digest = digests.at(run.job->name);
       run.folder = out + "/" + run.job->name;
       ChildProcess::Options options;
       options.command = {OwnProgram().string(), "grade", course.task, run.job->program_file};

@@ -7,12 +7,16 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "sim/state_hash.h"
 #include "tools/child_process.h"
 #include "tools/sandbox.h"
 
@@ -86,10 +90,12 @@ std::string FindInclude() {
   throw Error("CCMorse's headers, which submissions are built with, are not installed");
 }
 
-// Regular files and folders only: what a link points at is not what was handed in, and what is
-// built anew is left out.
-void CopySubmission(const fs::path& from, const fs::path& to, const std::string& program,
-                    Submission& submission) {
+// Calls file(relative path) for each file that belongs to a submission, and folder(relative path)
+// for each folder before its files. Regular files and folders only: what a link points at is not
+// what was handed in, and what is built anew is left out. False where there are too many.
+template <class File, class Folder>
+bool ForEachFile(const fs::path& from, const std::string& program, const File& file,
+                 const Folder& folder) {
   double bytes = 0.0;
   int files = 0;
   std::error_code failed;
@@ -99,22 +105,42 @@ void CopySubmission(const fs::path& from, const fs::path& to, const std::string&
     const std::string name = relative.filename().string();
     const fs::file_status status = at->symlink_status(failed);
     if (fs::is_directory(status)) {
-      if (name.starts_with("obj-") || name.starts_with(".")) {
+      const bool built = name.starts_with("obj-") || IsFile(at->path() / "CMakeCache.txt");
+      if (built || name.starts_with(".")) {
         at.disable_recursion_pending();
         continue;
       }
-      fs::create_directories(to / relative);
+      folder(relative);
     } else if (fs::is_regular_file(status) && relative.string() != program) {
       bytes += static_cast<double>(at->file_size(failed));
-      if (++files > kMostFiles || bytes > kLargestSubmission) {
-        submission.failure = fmt::format("it has more than {} files or {:.0f} MB", kMostFiles,
-                                         kLargestSubmission / 1e6);
-        return;
-      }
-      fs::copy_file(at->path(), to / relative, fs::copy_options::overwrite_existing);
+      if (++files > kMostFiles || bytes > kLargestSubmission) return false;
+      file(relative);
     }
   }
   if (failed) throw Error("cannot read " + from.string() + ": " + failed.message());
+  return true;
+}
+
+void CopySubmission(const fs::path& from, const fs::path& to, const std::string& program,
+                    Submission& submission) {
+  const bool all = ForEachFile(
+      from, program,
+      [&](const fs::path& file) {
+        fs::copy_file(from / file, to / file, fs::copy_options::overwrite_existing);
+      },
+      [&](const fs::path& folder) { fs::create_directories(to / folder); });
+  if (all) return;
+  submission.failure =
+      fmt::format("it has more than {} files or {:.0f} MB", kMostFiles, kLargestSubmission / 1e6);
+}
+
+std::string FindCmake(const std::string& libraries) {
+  for (const fs::path& folder :
+       {fs::path(libraries) / "cmake/CCMorse", fs::path(CCMORSE_SOURCE_DIR "/cmake")}) {
+    if (IsFile(folder / "CCMorseConfig.cmake")) return fs::canonical(folder).string();
+  }
+  throw Error("CCMorseConfig.cmake, which submissions may be built with, is not in " + libraries +
+              "/cmake/CCMorse");
 }
 
 // What the sandbox shows of the courses: makefiles and templates, never solutions or rubrics,
@@ -143,6 +169,7 @@ void ShowCourse(const CourseFiles& course, const fs::path& path, Submission& sub
   }
   show(course.include, "/ccmorse/include");
   show(course.libraries, "/ccmorse/lib");
+  show(course.cmake, "/ccmorse/cmake");
 }
 
 class Output {
@@ -176,11 +203,11 @@ std::string Await(ChildProcess& process, const std::string& folder, Output& outp
     output.Take();
     step();
     std::string failure;
-    if (Clock::now() > deadline) failure = fmt::format("make took more than {} s", kBuildTime);
+    if (Clock::now() > deadline) failure = fmt::format("the build took more than {} s", kBuildTime);
     if (FolderBytes(folder) > kLargestBuild) {
-      failure = fmt::format("make wrote more than {:.0f} MB", kLargestBuild / 1e6);
+      failure = fmt::format("the build wrote more than {:.0f} MB", kLargestBuild / 1e6);
     }
-    if (output.bytes() > kBuildOutput) failure = "make printed more than 4 MB";
+    if (output.bytes() > kBuildOutput) failure = "the build printed more than 4 MB";
     if (!failure.empty()) {
       process.Signal(SIGKILL);
       return failure;
@@ -191,13 +218,15 @@ std::string Await(ChildProcess& process, const std::string& folder, Output& outp
   return "";
 }
 
-std::string Make(const std::vector<std::string>& words, Submission& submission, bool sandbox) {
+// `tool`: "make: ", what messages begin with.
+std::string Build(const std::string& tool, const std::vector<std::string>& words,
+                  Submission& submission, bool sandbox) {
   if (!sandbox) {
     ChildProcess make({words, submission.folder, {}});
     Output output(make);
     std::string failure = Await(make, submission.folder, output, [] {});
     submission.output = output.words();
-    if (failure.empty() && !make.Status()->ok()) failure = "make: " + make.Status()->Text();
+    if (failure.empty() && !make.Status()->ok()) failure = tool + make.Status()->Text();
     return failure;
   }
   SandboxOptions options;
@@ -214,9 +243,36 @@ std::string Make(const std::vector<std::string>& words, Submission& submission, 
   if (!failure.empty()) return failure;
   if (!make.end()) return "the sandbox failed: " + make.process().Status()->Text();
   if (make.end()->kind == SandboxMessage::kExited) {
-    return make.end()->number == 0 ? "" : fmt::format("make: exit status {}", make.end()->number);
+    const int status = make.end()->number;
+    return status == 0 ? "" : fmt::format("{}exit status {}", tool, status);
   }
-  return "make: " + FailureOf(*make.end(), options.limits);
+  return tool + FailureOf(*make.end(), options.limits);
+}
+
+std::vector<std::string> MakeWords(const CourseFiles& course, bool sandbox) {
+  const fs::path courses = fs::path(course.task).parent_path().parent_path();
+  const std::string makefiles = sandbox ? "/course/par" : (courses / "par").string();
+  return {"/usr/bin/make",
+          "-j2",
+          "--no-print-directory",
+          "MORSE=YES",
+          "CCMORSE_DIR=" + (sandbox ? "/ccmorse" : fs::path(course.include).parent_path().string()),
+          "CCMORSE_LIBDIR=" + (sandbox ? "/ccmorse/lib" : course.libraries),
+          "CCMORSE_MK=" + makefiles + "/ccmorse.mk",
+          "TASK_MK=" + makefiles + "/task.mk"};
+}
+
+// The program lands where make puts it, too.
+std::vector<std::string> CmakeWords(const CourseFiles& course, const Submission& submission,
+                                    bool sandbox) {
+  return {"/bin/sh",
+          "-c",
+          "cmake -B obj-cmake -D CCMorse_DIR=\"$1\" -D CCMORSE_LIBDIR=\"$2\" "
+          "-D CMAKE_RUNTIME_OUTPUT_DIRECTORY=\"$3\" && cmake --build obj-cmake -j 2",
+          "sh",
+          sandbox ? "/ccmorse/cmake" : course.cmake,
+          sandbox ? "/ccmorse/lib" : course.libraries,
+          submission.within};
 }
 
 }  // namespace
@@ -244,6 +300,7 @@ CourseFiles FindCourseFiles(const std::string& task) {
   }
   files.include = FindInclude();
   files.libraries = FindLibraries();
+  files.cmake = FindCmake(files.libraries);
   return files;
 }
 
@@ -268,30 +325,52 @@ Submission BuildSubmission(const std::string& path, const grade::Rubric& rubric,
   if (!IsFolder(clean)) throw Error("there is no submission " + path);
   CopySubmission(clean, folder, rubric.program, submission);
   if (!submission.failure.empty()) return submission;
-  if (!IsFile(fs::path(folder) / "Makefile") && !IsFile(fs::path(folder) / "makefile")) {
-    submission.failure = "there is no Makefile in it";
+  const bool make = IsFile(fs::path(folder) / "Makefile") || IsFile(fs::path(folder) / "makefile");
+  if (!make && !IsFile(fs::path(folder) / "CMakeLists.txt")) {
+    submission.failure = "there is no Makefile in it, and no CMakeLists.txt";
     return submission;
   }
-  const fs::path suite = fs::path(course.task).parent_path();
-  const std::string makefiles = sandbox ? "/course/par" : (suite.parent_path() / "par").string();
-  std::vector<std::string> words = {
-      "/usr/bin/make",
-      "-j2",
-      "--no-print-directory",
-      "MORSE=YES",
-      "CCMORSE_DIR=" + (sandbox ? "/ccmorse" : fs::path(course.include).parent_path().string()),
-      "CCMORSE_LIBDIR=" + (sandbox ? "/ccmorse/lib" : course.libraries),
-      "CCMORSE_MK=" + makefiles + "/ccmorse.mk",
-      "TASK_MK=" + makefiles + "/task.mk"};
-  submission.failure = Make(words, submission, sandbox);
+  const std::vector<std::string> words =
+      make ? MakeWords(course, sandbox) : CmakeWords(course, submission, sandbox);
+  submission.failure = Build(make ? "make: " : "cmake: ", words, submission, sandbox);
   if (submission.failure.empty()) {
     std::error_code failed;
     const fs::file_status status = fs::symlink_status(submission.program, failed);
     if (!fs::is_regular_file(status)) {
-      submission.failure = "make ended well, but made no program '" + rubric.program + "'";
+      submission.failure = fmt::format("{} ended well, but made no program '{}'",
+                                       make ? "make" : "cmake", rubric.program);
     }
   }
   return submission;
+}
+
+std::string DigestOf(const std::string& path, const grade::Rubric& rubric) {
+  sim::StateHash hash;
+  const auto add = [&hash](std::string_view text) {
+    hash.Add(static_cast<std::uint64_t>(text.size()));
+    for (std::size_t at = 0; at < text.size(); at += 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, text.data() + at, std::min<std::size_t>(8, text.size() - at));
+      hash.Add(word);
+    }
+  };
+  add(ReadFile(rubric.file));
+  for (const grade::WorldDef& world : rubric.worlds) add(ReadFile(world.scenario));
+  if (IsFile(path)) {
+    add(ReadFile(path));
+  } else {
+    // In an order of its own: a folder has its entries in any.
+    std::vector<fs::path> files;
+    ForEachFile(
+        path, rubric.program, [&](const fs::path& file) { files.push_back(file); },
+        [](const fs::path&) {});
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+      add(file.string());
+      add(ReadFile((path / file).string()));
+    }
+  }
+  return fmt::format("{:016x}", hash.value());
 }
 
 double FolderBytes(const std::string& folder) {

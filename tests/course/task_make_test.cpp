@@ -98,6 +98,25 @@ TEST_P(T02, TemplateMayStandAloneAndBuildsForTheSimulatorAndTheRealRobot) {
   EXPECT_FALSE(fs::exists(program));
 }
 
+// The same with CMake, which makes both programs at once.
+TEST_P(T02, TemplateBuildsWithCmakeToo) {
+  const std::string folder = root_.path() + "/mine";
+  fs::copy(root_.path() + "/" + GetParam().folder, folder);
+  const std::string sanitizer = CCMORSE_SANITIZE;
+  const std::string flags = sanitizer.empty() ? "" : " -fsanitize=" + sanitizer;
+  const Finished made = RunToEnd({"sh", "-c",
+                                  "cd '" + folder +
+                                      "' && CCMORSE_DIR='" CCMORSE_SOURCE_DIR
+                                      "' cmake -B build -D CCMORSE_LIBDIR='" CCMORSE_BINARY_DIR
+                                      "/lib' -D CMAKE_CXX_FLAGS='-O0" +
+                                      flags + "' && cmake --build build -j2"},
+                                 std::chrono::seconds(100));
+  ASSERT_EQ(made.status, 0) << made.output;
+  const std::string program = folder + "/build/" + GetParam().program;
+  ExpectPlatform(program, "morse server hostname [localhost]");
+  ExpectPlatform(program + "-syrotek", "syrotek server hostname [syrotek.felk.cvut.cz]");
+}
+
 // In the course's folder, and by CCMORSE_DIR from anywhere, without any settings copied.
 TEST_P(T01, TemplateFindsTheSettings) {
   const std::string folder = root_.path() + "/" + GetParam().folder;
@@ -110,6 +129,18 @@ TEST_P(T01, TemplateFindsTheSettings) {
 }
 
 class T15 : public TaskMakefile {};
+
+// Its empty functions would be taken from the template, in silence.
+TEST_P(T15, SolutionAloneSaysWhatIsMissing) {
+  const std::string folder = root_.path() + "/par/elsewhere/solutions/alone";
+  fs::create_directories(fs::path(folder).parent_path());
+  fs::copy(root_.path() + "/" + GetParam().folder, folder);
+  const std::string makefile = ccmorse::ReadFile(folder + "/Makefile");
+  if (makefile.find("\nSOURCES") == std::string::npos) return;  // it needs nothing else
+  const Finished made = Make(folder, "");
+  EXPECT_NE(made.status, 0);
+  EXPECT_NE(made.output.find("which is not there"), std::string::npos) << made.output;
+}
 
 TEST_P(T15, SolutionBuilds) {
   const std::string folder = root_.path() + "/" + GetParam().folder;

@@ -112,14 +112,55 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"bad_build", "make: exit status 2"}, Hostile{"crash", "crashed: killed by SIGSEGV"},
         Hostile{"exit_at_once", "never asked for the robot's data"},
         Hostile{"flood", "flooded the simulator"}, Hostile{"fork_bomb", "more than 16 processes"},
-        Hostile{"hang", "not over after 6 s"}, Hostile{"hidden_world", "get_scene_objects"},
+        Hostile{"hang", "not over after 8 s"}, Hostile{"hidden_world", "get_scene_objects"},
         Hostile{"memory", "more than 200 MB of memory"},
         // 7: they came to their end, and what they tried did not work.
         Hostile{"others_canvas", "never asked", "exit status 7"},
         Hostile{"output", "printed more than 1 MB"},
-        Hostile{"spin", "more than 1 s of processor time"},
+        Hostile{"spin", "more than 2 s of processor time"},
         Hostile{"teleport", "set_object_position"},
         Hostile{"watcher_killer", "never asked", "exit status 7"}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+// Programs that break no rule, and do not what the task asks for: a template with some files of
+// tests/grade/fools/NAME over it.
+struct Fool {
+  const char* name;
+  const char* task;
+  double least;  // points, by which it is seen to have run
+  double most;
+  const char* note = "";
+};
+
+void PrintTo(const Fool& fool, std::ostream* out) { *out << fool.name; }
+
+class FoolTest : public GradeTest, public ::testing::WithParamInterface<Fool> {};
+
+TEST_P(FoolTest, DoesNotPass) {
+  const Fool& fool = GetParam();
+  const TemporaryFolder folder;
+  const std::string task = std::string(CCMORSE_SOURCE_DIR) + "/courses/" + fool.task;
+  const std::string submission = folder.path() + "/" + fool.name;
+  fs::copy(task + "/template", submission, fs::copy_options::recursive);
+  fs::copy(kHere + "/fools/" + fool.name, submission,
+           fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  const Graded graded = Grade(task, submission, {"--seeds", "2"});
+  EXPECT_EQ(graded.status, kNotPassed) << graded.output;
+  EXPECT_EQ(graded.failure(), "");
+  EXPECT_GE(graded.score(), fool.least) << graded.output;
+  EXPECT_LE(graded.score(), fool.most) << graded.output;
+  EXPECT_NE(graded.note().find(fool.note), std::string::npos) << graded.json.Dump();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, FoolTest,
+    ::testing::Values(Fool{"intro_circle", "par/intro", 5, 15},
+                      Fool{"exploration_free_map", "par/exploration", 0, 15},
+                      // 7: what knows the robot's place is not there.
+                      Fool{"dead_reckoning_true_pose", "syrotek/dead_reckoning", 5, 40,
+                           "exit status 7"},
+                      Fool{"two_robots_one_stays", "syrotek/two_robots", 0, 15},
+                      Fool{"wall_following_shuttle", "syrotek/wall_following", 25, 35}),
     [](const auto& each) { return std::string(each.param.name); });
 
 TEST_F(GradeTest, RecordsAreKeptAndJudgedAlone) {
@@ -145,6 +186,56 @@ TEST_F(GradeTest, RecordsAreKeptAndJudgedAlone) {
   // Nothing is fetched from elsewhere.
   EXPECT_EQ(page.find("http"), std::string::npos);
   EXPECT_EQ(page.find("src="), std::string::npos);
+}
+
+TEST_F(GradeTest, WithoutAMakefileCmakeBuildsIt) {
+  const TemporaryFolder folder;
+  const std::string task = std::string(CCMORSE_SOURCE_DIR) + "/courses/par/planning";
+  const std::string mine = folder.path() + "/mine";
+  fs::create_directories(mine + "/build");
+  for (const char* part : {"template", "solutions/dijkstra"}) {
+    for (const auto& entry : fs::directory_iterator(task + "/" + part)) {
+      const std::string type = entry.path().extension();
+      if (type != ".cc" && type != ".h") continue;
+      fs::copy(entry.path(), mine, fs::copy_options::overwrite_existing);
+    }
+  }
+  std::ofstream(mine + "/CMakeLists.txt")
+      << "cmake_minimum_required(VERSION 3.18)\nproject(planner LANGUAGES CXX)\n"
+         "find_package(CCMorse REQUIRED)\n"
+         "ccmorse_add_program(planner planner.cc dilation.cc planner_base.cc planner_main.cc)\n";
+  std::ofstream(mine + "/build/CMakeCache.txt") << "of another machine, and left out\n";
+  const Graded graded = Grade("planning", mine, {"--seeds", "1"});
+  EXPECT_EQ(graded.status, 0) << graded.output;
+  EXPECT_GE(graded.score(), 85.0) << graded.output;
+}
+
+TEST_F(GradeTest, WhoHandsInAnewIsGradedAnew) {
+  const TemporaryFolder folder;
+  const std::string students = folder.path() + "/students";
+  fs::create_directories(students);
+  for (const char* name : {"anna", "bert"}) {
+    fs::copy(kHere + "/good", students + "/" + name, fs::copy_options::recursive);
+  }
+  const std::vector<std::string> command = {BuiltProgram("ccmorse"),
+                                            "grade",
+                                            kHere + "/task",
+                                            "--class",
+                                            students,
+                                            "--out",
+                                            folder.path() + "/out",
+                                            "--seeds",
+                                            "1"};
+  ASSERT_EQ(RunToEnd(command).status, 0);
+  fs::copy(kHere + "/hostile/crash", students + "/bert",
+           fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  const Finished again = RunToEnd(command);
+  ASSERT_EQ(again.status, 0) << again.output;
+  EXPECT_NE(again.output.find("1 of 2 submissions were graded before, 1 "), std::string::npos)
+      << again.output;
+  const std::string csv = ReadFile(folder.path() + "/out/class.csv");
+  EXPECT_NE(csv.find("1,\"anna\",100.00,yes"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("2,\"bert\",0.00,no"), std::string::npos) << csv;
 }
 
 TEST_F(GradeTest, TheSameSubmissionGetsTheSameResult) {

@@ -213,22 +213,39 @@ TEST(Judge, GoalsAreVisitedInTheirOrder) {
   script.Speed(0.25, 0.0);
   script.Go(8.0);  // from x 0.5 to 2.5
   Reference reference;
-  reference.goals = {{1.0, 1.1}, {2.0, 1.2}};
+  reference.goals[""] = {{1.0, 1.1}, {2.0, 1.2}};
   EXPECT_NEAR(*Measure(script, "goal_error_m", reference).value, 0.15, 1e-3);
   // The other way round the best is one moment between them.
-  reference.goals = {{2.0, 1.0}, {1.0, 1.0}};
+  reference.goals[""] = {{2.0, 1.0}, {1.0, 1.0}};
   EXPECT_NEAR(*Measure(script, "goal_error_m", reference).value, 0.5, 1e-3);
 }
 
-TEST(Judge, FinalErrorIsOfTheMomentOfTheAnswer) {
-  Script script(Hall(kOne));
-  DriveAMetre(script);
-  script.Go(0.5);
-  script.Submit("pose", "[1.53, 1.04, 0.0]");  // it is at (1.5, 1.0)
-  script.Go(0.1);
-  script.Speed(-0.25, 0.0);
-  script.Go(2.0);
-  EXPECT_NEAR(*Measure(script, "final_error_m").value, 0.05, 1e-9);
+TEST(Judge, OfSeveralRobotsGoalsTheWorseCounts) {
+  Script script(Hall(R"({"name": "s1r", "pose": {"x": 0.5, "y": 1.0}},
+                        {"name": "two", "pose": {"x": 0.5, "y": 1.5}})"));
+  script.Speed(0.25, 0.0);
+  script.Speed(0.25, 0.0, "two");
+  script.Go(4.0);
+  Reference reference;
+  reference.goals["s1r"] = {{1.5, 1.0}};
+  reference.goals["two"] = {{1.5, 1.7}};
+  EXPECT_NEAR(*Measure(script, "goal_error_m", reference).value, 0.2, 1e-3);
+  reference.goals["three"] = {{1.5, 1.7}};
+  EXPECT_NE(Measure(script, "goal_error_m", reference).reason.find("no robot three"),
+            std::string::npos);
+}
+
+TEST(Judge, FinalErrorIsOfWhereTheRobotIsInTheEnd) {
+  for (const bool early : {false, true}) {
+    Script script(Hall(kOne));
+    // Where it starts it knows its pose: an answer then is worth what it is in the end.
+    if (early) script.Submit("pose", "[0.5, 1.0, 0.0]");
+    DriveAMetre(script);
+    script.Go(0.5);
+    if (!early) script.Submit("pose", "[1.53, 1.04, 0.0]");  // it is at (1.5, 1.0)
+    script.Go(0.1);
+    EXPECT_NEAR(*Measure(script, "final_error_m").value, early ? 1.0 : 0.05, 1e-9);
+  }
 }
 
 TEST(Judge, RobotsGapIsTheSmallestDistanceOfTheirFootprints) {
@@ -260,6 +277,13 @@ std::string PathText(const std::vector<Vec2>& points) {
   return text + "]";
 }
 
+// In an empty hall the oracle's way, m, has as many diagonal steps as the shorter side.
+double BestLength(const Route& route) {
+  const double dx = std::abs(route.goal.x - route.start.x);
+  const double dy = std::abs(route.goal.y - route.start.y);
+  return (std::max(dx, dy) + (std::sqrt(2.0) - 1.0) * std::min(dx, dy)) * 0.02;
+}
+
 TEST(Judge, AStraightPathIsValidAndTurnsNowhere) {
   Script script(Hall(kOne));
   const Route route = RouteOf(script);
@@ -269,11 +293,28 @@ TEST(Judge, AStraightPathIsValidAndTurnsNowhere) {
   script.Go(0.1);
   EXPECT_EQ(*Measure(script, "path_valid").value, 1.0);
   EXPECT_EQ(*Measure(script, "turning_rad").value, 0.0);
-  // In an empty hall the oracle's way has as many diagonal steps as the shorter side.
-  const double dx = std::abs(route.goal.x - route.start.x);
-  const double dy = std::abs(route.goal.y - route.start.y);
-  const double best = std::max(dx, dy) + (std::sqrt(2.0) - 1.0) * std::min(dx, dy);
-  EXPECT_NEAR(*Measure(script, "length_ratio").value, std::hypot(dx, dy) / best, 1e-9);
+  EXPECT_NEAR(*Measure(script, "length_ratio").value,
+              std::hypot(to.x - from.x, to.y - from.y) / BestLength(route), 1e-9);
+}
+
+// A path as long as wanted, or of as many points, does not make up for what lies in walls.
+TEST(Judge, AWallIsNotThinnedOutByDetoursOrPointsOnTheSpot) {
+  for (const bool points : {false, true}) {
+    Script script(Hall(kOne));
+    const Route route = RouteOf(script);
+    const Vec2 from = MiddleOf(route.start);
+    std::vector<Vec2> path = {from};
+    for (int i = 0; i < 300; ++i) {
+      if (!points) path.push_back({from.x + 2.0, from.y});
+      path.push_back(from);
+    }
+    path.insert(path.end(), {{from.x, 0.02}, from, MiddleOf(route.goal)});
+    script.Submit("path", PathText(path));
+    script.Go(0.1);
+    EXPECT_NEAR(*Measure(script, "path_valid").value, 1.0 - 2.0 * (0.22 - 0.02) / BestLength(route),
+                0.01);
+    EXPECT_FALSE(Measure(script, "turning_rad").value);
+  }
 }
 
 TEST(Judge, ADetourIsLongerAndTurns) {
@@ -299,8 +340,7 @@ TEST(Judge, APathThroughAWallOrElsewhereIsNotValid) {
   script.Submit("path", PathText({from, {from.x, 0.02}, from, to}));
   script.Go(0.1);
   const CriterionResult valid = Measure(script, "path_valid");
-  const double all = 2.0 * (from.y - 0.02) + std::hypot(to.x - from.x, to.y - from.y);
-  EXPECT_NEAR(*valid.value, 1.0 - 2.0 * (0.22 - 0.02) / all, 0.01);
+  EXPECT_NEAR(*valid.value, 1.0 - 2.0 * (0.22 - 0.02) / BestLength(route), 0.01);
   EXPECT_FALSE(Measure(script, "length_ratio").value);
 
   Script other(Hall(kOne));
@@ -345,8 +385,18 @@ std::string TrueCells(const scene::World& world, int seen) {
   return cells;
 }
 
+// Has seen all of the hall when it has driven through it and turned.
+void LookAround(Script& script) {
+  script.Speed(0.5, 0.0);
+  script.Go(5.0);
+  script.Speed(0.0, 1.0);
+  script.Go(7.0);
+  script.Speed(0.0, 0.0);
+}
+
 TEST(Judge, ATrueMapIsRightEverywhere) {
   Script script(Hall(kOne));
+  LookAround(script);
   script.Submit("map", MapJson(TrueCells(script.simulation().scenario().world, 200)));
   script.Go(0.1);
   EXPECT_EQ(*Measure(script, "cell_accuracy").value, 1.0);
@@ -354,25 +404,75 @@ TEST(Judge, ATrueMapIsRightEverywhere) {
   EXPECT_EQ(*Measure(script, "map_iou").value, 1.0);
 }
 
+// The laser looks 270 degrees around: of a robot that stands at (0.5, 1.0) and looks along x, what
+// is behind lies between the bearings of 135 and 225 degrees from 3.5 cm before its middle. It
+// reaches 4 m.
+TEST(Judge, WhatTheRobotDidNotSeeItDidNotMap) {
+  Script script(Hall(kOne));
+  script.Submit("map", MapJson(TrueCells(script.simulation().scenario().world, 200)));
+  script.Go(1.0);
+  const double behind = 0.435 * 0.435;  // m^2: to the wall at x = 0.1, as wide on either side
+  const double body = kPi * 0.11 * 0.11 / 2.0;
+  const double seen = 1.0 - (behind - body) / (3.8 * 1.8);
+  EXPECT_NEAR(*Measure(script, "explored").value, seen, 0.005);
+  EXPECT_NEAR(*Measure(script, "cell_accuracy").value, seen, 0.005);
+  // Of the walls behind, 0.87 m, two cells at either end are near seen ones, and as much again near
+  // what the map has there.
+  const double hidden = 0.87 - 4 * kTolerance * kCell;
+  EXPECT_NEAR(*Measure(script, "map_iou").value, 1.0 - hidden / (2.0 * (3.8 + 1.8)), 0.005);
+}
+
+TEST(Judge, AMapOfWallsThatHideTheRestIsWorthWhatWasSeen) {
+  std::string hall = Hall(kOne);
+  const std::string last = R"("x": 3.95, "y": 1, "size": [0.1, 2]})";
+  hall.insert(hall.find(last) + last.size(),
+              R"(, {"id": 5, "kind": "border", "x": 2, "y": 0.85, "size": [0.1, 1.5]})");
+  Script script(hall);  // the way to the right half leads around the wall's upper end
+  script.Submit("map", MapJson(TrueCells(script.simulation().scenario().world, 200)));
+  script.Go(1.0);
+  const Judgement judged = Judge(Measuring("cell_accuracy", 1.0, 0.0), script.End());
+  EXPECT_GT(*judged.criteria[0].value, 0.45);
+  EXPECT_LT(*judged.criteria[0].value, 0.65);
+  ASSERT_TRUE(judged.map);
+  const auto at = [&](Vec2 point) {
+    const Cell cell = CellOf(point);
+    return judged.map->cells[static_cast<std::size_t>(cell.y * judged.map->width + cell.x)];
+  };
+  EXPECT_EQ(at({1.0, 1.0}), MapPicture::kFree);
+  EXPECT_EQ(at({1.96, 0.8}), MapPicture::kWall);
+  EXPECT_EQ(at({3.0, 0.5}), MapPicture::kNotSeen);
+}
+
+TEST(Judge, WhereAllIsCalledFreeThereIsNoWall) {
+  Script script(Hall(kOne));
+  LookAround(script);
+  script.Submit("map", MapJson(std::string(20000, '0')));
+  script.Go(0.1);
+  EXPECT_EQ(*Measure(script, "cell_accuracy").value, 1.0);
+  EXPECT_EQ(*Measure(script, "map_iou").value, 0.0);  // what the rubric makes the other depend on
+}
+
 TEST(Judge, HalfAMapIsHalfRight) {
   Script script(Hall(kOne));
+  LookAround(script);
   script.Submit("map", MapJson(TrueCells(script.simulation().scenario().world, 100)));
   script.Go(0.1);
   EXPECT_NEAR(*Measure(script, "cell_accuracy").value, 0.5, 0.01);
-  EXPECT_NEAR(*Measure(script, "explored").value, 0.5, 0.01);
+  EXPECT_EQ(*Measure(script, "explored").value, 1.0);  // it saw more than it says
   // All walls said are there; of those to be seen, half.
   EXPECT_NEAR(*Measure(script, "map_iou").value, 0.5, 0.02);
 }
 
 TEST(Judge, AMapThatIsWrongOrShiftedScoresSo) {
   Script all_walls(Hall(kOne));
+  LookAround(all_walls);
   all_walls.Submit("map", MapJson(std::string(20000, '1')));
   all_walls.Go(0.1);
   EXPECT_EQ(*Measure(all_walls, "cell_accuracy").value, 0.0);
-  EXPECT_EQ(*Measure(all_walls, "explored").value, 1.0);
   EXPECT_LT(*Measure(all_walls, "map_iou").value, 0.25);
 
   Script shifted(Hall(kOne));
+  LookAround(shifted);
   shifted.Submit("map", MapJson(TrueCells(shifted.simulation().scenario().world, 200), 0.5));
   shifted.Go(0.1);
   EXPECT_LT(*Measure(shifted, "cell_accuracy").value, 0.9);
@@ -396,12 +496,19 @@ TEST(Judge, AConditionThatDoesNotHoldGivesNoPoints) {
   DriveAMetre(script);
   script.Go(1.0);
   Rubric rubric = Measuring("contacts", 0.0, 1.0);
-  rubric.criteria[0].only_if = Criterion::Condition{"distance_m", 0.9};
+  rubric.criteria[0].only_if = {{"distance_m", 0.9}};
   EXPECT_EQ(Judge(rubric, script.End()).score, 100.0);
-  rubric.criteria[0].only_if->least = 1.1;
+  rubric.criteria[0].only_if.push_back({"distance_m", 1.1});
   const Judgement judged = Judge(rubric, script.End());
   EXPECT_EQ(judged.score, 0.0);
-  EXPECT_NE(judged.criteria[0].reason.find("distance_m of 1.1"), std::string::npos);
+  EXPECT_NE(judged.criteria[0].reason.find("distance_m of 1.1 or more"), std::string::npos);
+  rubric.criteria[0].only_if[1] = {"distance_m", 0.0, 0.5};
+  EXPECT_NE(Judge(rubric, script.End()).criteria[0].reason.find("distance_m of 0.5 or less"),
+            std::string::npos);
+  // What cannot be told holds no condition.
+  rubric.criteria[0].only_if[1] = {"robots_gap_m", 0.0};
+  EXPECT_NE(Judge(rubric, script.End()).criteria[0].reason.find("and it was none"),
+            std::string::npos);
 }
 
 TEST(Judge, TheScoreIsAPureFunctionOfTheRecord) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,25 @@ TEST(Rubric, IsReadWhole) {
   EXPECT_EQ(rubric.pass, 60.0);
 }
 
+TEST(Rubric, ConditionsMayBeSeveralAndGoalsOfSeveralRobots) {
+  const Rubric with_goals = ParseRubric(
+      Changed("\"pass\": 60", R"("reference": {"goals": {"a": [[1, 2]], "b": [[3, 4], [5, 6]]}})"),
+      kFile);
+  ASSERT_EQ(with_goals.reference.goals.size(), 2U);
+  EXPECT_EQ(with_goals.reference.goals.at("b")[1].x, 5.0);
+  const Rubric of_first =
+      ParseRubric(Changed("\"pass\": 60", R"("reference": {"goals": [[1, 2]]})"), kFile);
+  EXPECT_EQ(of_first.reference.goals.at("").size(), 1U);
+  const Rubric conditions = ParseRubric(
+      Changed("\"none\": 1}", R"("none": 1, "only_if": [{"measure": "distance_m", "at_least": 2},
+                                                        {"measure": "time_s", "at_most": 9}]})"),
+      kFile);
+  ASSERT_EQ(conditions.criteria[1].only_if.size(), 2U);
+  EXPECT_EQ(conditions.criteria[1].only_if[0].least, 2.0);
+  EXPECT_EQ(conditions.criteria[1].only_if[1].most, 9.0);
+  EXPECT_TRUE(std::isinf(conditions.criteria[1].only_if[1].least));
+}
+
 TEST(Rubric, EveryMistakeIsNamedWithItsLine) {
   const std::vector<std::pair<std::pair<std::string, std::string>, std::string>> cases = {
       {{"\"seconds\"", "\"secnds\""}, "is 'secnds' meant"},
@@ -45,7 +65,13 @@ TEST(Rubric, EveryMistakeIsNamedWithItsLine) {
       {{"\"distance_m\"", "\"wall_error_m\""}, "reference.wall_distance_m"},
       {{"\"robot\"", "\"../robot\""}, "name of a file"},
       {{"\"no contact\"", "\"way\""}, "name of another criterion"},
-      {{"\"pass\": 60", "\"pass\": 600"}, "pass"}};
+      {{"\"pass\": 60", "\"pass\": 600"}, "pass"},
+      {{"\"none\": 1}", "\"none\": 1, \"only_if\": {\"measure\": \"time_s\"}}"},
+       "only_if needs 'at_least' or 'at_most'"},
+      {{"\"none\": 1}", "\"none\": 1, \"only_if\": [{\"measure\": \"times_s\", \"at_most\": 1}]}"},
+       "did you mean 'time_s'"},
+      {{"\"pass\": 60", "\"reference\": {\"goals\": {}}"}, "names no robot"},
+      {{"\"pass\": 60", "\"reference\": {\"goals\": {\"s1r\": [[1]]}}"}, "must be [x, y]"}};
   for (const auto& [change, expected] : cases) {
     try {
       ParseRubric(Changed(change.first, change.second), kFile);
@@ -59,10 +85,12 @@ TEST(Rubric, EveryMistakeIsNamedWithItsLine) {
 }
 
 TEST(Rubric, ThoseOfTheCoursesAreGood) {
-  for (const char* task : {"planning", "exploration"}) {
+  for (const char* folder :
+       {"par/intro", "par/planning", "par/exploration", "syrotek/pid", "syrotek/wall_following",
+        "syrotek/dead_reckoning", "syrotek/trajectory", "syrotek/two_robots"}) {
     const Rubric rubric =
-        LoadRubric(std::string(CCMORSE_SOURCE_DIR) + "/courses/par/" + task + "/rubric.json");
-    EXPECT_EQ(rubric.task, task);
+        LoadRubric(std::string(CCMORSE_SOURCE_DIR) + "/courses/" + folder + "/rubric.json");
+    EXPECT_TRUE(std::string(folder).ends_with("/" + rubric.task));
     for (const Criterion& criterion : rubric.criteria) EXPECT_FALSE(criterion.hint.empty());
   }
 }

@@ -46,6 +46,24 @@ TEST(S20, TwoRobotsOfOneNameAreAnErrorThatNamesBothLines) {
                       "two robots are called 's1r_2'"));
 }
 
+TEST(ScenarioErrors, DevicesThatARobotGoesWithoutAreChecked) {
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("without": ["poze"])"), "did you mean 'pose'"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("without": ["motion"])"), "robots[0].without[0]"));
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("without": ["pen", "pen"])"), "is there twice"));
+  EXPECT_EQ(ErrorInRobot(R"("without": ["pose"], "proxies": {"position2d": {"2": "pose"}})"),
+            "scene.json:2: robots[0].proxies has 'pose' as position2d:2, and 'without' takes it "
+            "away");
+  const Scenario scenario =
+      ParseScenario(R"({"robots": [{"without": ["pose"], "wear": {"turn_lag": 0.2}}]})", "s.json");
+  const ProxyTable expected = {{"laser", {{0, "hokuyo"}}}, {"position2d", {{3, "odometry"}}}};
+  EXPECT_EQ(scenario.robots[0].proxies, expected);
+  const Scenario again = ParseScenario(ToJson(scenario).Dump(), "s.json");
+  EXPECT_EQ(again.robots[0].proxies, expected);
+  EXPECT_EQ(again.robots[0].without, scenario.robots[0].without);
+  EXPECT_EQ(again.robots[0].wear, scenario.robots[0].wear);
+  EXPECT_TRUE(HasText(ErrorInRobot(R"("wear": {"pull": 1e9})"), "robots[0].wear.pull"));
+}
+
 TEST(ScenarioErrors, UnknownKeyNamesTheNearest) {
   EXPECT_EQ(ErrorInLine2(R"("robot": [])"),
             "scene.json:2: unknown key 'robot'; did you mean 'robots'?");

@@ -47,6 +47,36 @@ TEST(R13, EveryS1RCarriesTheSameDevices) {
                                       "s1r.pen", "s1r.pose", "s1r.properties", "s1r.waypoint"}));
 }
 
+TEST(R13, ATasksRobotMayGoWithoutSome) {
+  const Simulation simulation(ParseS1r(R"({"robots": [{"without": ["pose", "waypoint"]}]})"));
+  EXPECT_EQ(Names(simulation),
+            (std::vector<std::string>{"s1r.answers", "s1r.hokuyo", "s1r.motion", "s1r.odometry",
+                                      "s1r.pen", "s1r.properties"}));
+}
+
+// Against the exact solution: a turning that follows the told one with the time constant T, and
+// turns by the pull as it goes.
+TEST(Wear, PullsAsItGoesAndTurnsLate) {
+  Simulation simulation(ParseS1r(
+      R"({"robots": [{"pose": {"x": 1.6, "y": 2.4}, "wear": {"pull": -1.0, "turn_lag": 0.3}}]})"));
+  const Robot& robot = *simulation.robots()[0];
+  Advance(simulation, 0.5);
+  EXPECT_EQ(robot.pose().yaw, 0.0);  // who stands is not pulled
+  Drive(simulation, "s1r", 0.0, 1.0);
+  Advance(simulation, 0.6);
+  const double late = 0.6 - 0.3 * (1.0 - std::exp(-0.6 / 0.3));
+  EXPECT_NEAR(robot.pose().yaw, late, 0.01);
+  EXPECT_NEAR(robot.twist().w, 1.0 - std::exp(-0.6 / 0.3), 0.01);
+  Drive(simulation, "s1r", 0.15, 0.0);
+  Advance(simulation, 3.0);  // the lag has died away: a curve of 1 m to the right
+  EXPECT_NEAR(robot.twist().w, -0.15, 1e-3);
+  EXPECT_EQ(robot.command().w, 0.0);
+  Drive(simulation, "s1r", 0.0, 0.0);
+  simulation.ResetObjects();
+  Advance(simulation, 0.2);
+  EXPECT_EQ(robot.twist().w, 0.0);
+}
+
 TEST(R09, TwoRobotsAreEquippedAlike) {
   const Simulation simulation(ParseS1r(
       R"({"robots": [{"name": "a", "pose": {"x": 1.2, "y": 2.0}},

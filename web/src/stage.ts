@@ -299,7 +299,6 @@ class RobotModel {
     this.arrow.setLength(0.05 + Math.abs(state.v), 0.04, 0.03);
     for (const fan of this.fans) fan.mesh.visible = layers.lasers;
     for (const { fan } of this.cones) fan.mesh.visible = layers.rings;
-    this.showSights(layers.sights);
   }
 
   showBody(on: boolean): void {
@@ -798,7 +797,9 @@ export class Stage {
     if (this.kind !== "robot") this.controls.update();
     // From its own eyes a robot does not see itself, and what it sees into would tint all of it.
     robot?.showBody(this.kind !== "robot");
-    robot?.showSights(this.layers.sights && this.kind !== "robot");
+    for (const each of this.robots) {
+      each.showSights(this.layers.sights && (each !== robot || this.kind !== "robot"));
+    }
     this.aimSun();
     // Shadows of what moves little may be a few frames late where each costs.
     if (this.quality === "low" && this.frames % 4 === 0) this.renderer.shadowMap.needsUpdate = true;

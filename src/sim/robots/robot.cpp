@@ -166,15 +166,16 @@ void Robot::Follow(const RigidState& moved, std::vector<Surface> touches, const 
 
 void Robot::Move(const Instant& now, std::span<const Obstacle* const> obstacles) {
   const bool touched_before = stalled_;
-  twist_ = held_ ? Twist{} : command_;
+  const Twist told = Worn(now.step);
+  twist_ = held_ ? Twist{} : told;
   stalled_ = false;
   if (held_) {
     // It stays.
-  } else if (command_.v != 0.0 || command_.w != 0.0 || command_.side != 0.0) {
-    const MotionResult moved = ground_ != nullptr
-                                   ? MoveOnGround(now, obstacles)
-                                   : DriveUntilContact(footprint_, pose_, command_.v, command_.w,
-                                                       now.step, obstacles, command_.side);
+  } else if (told.v != 0.0 || told.w != 0.0 || told.side != 0.0) {
+    const MotionResult moved =
+        ground_ != nullptr
+            ? MoveOnGround(now, told, obstacles)
+            : DriveUntilContact(footprint_, pose_, told.v, told.w, now.step, obstacles, told.side);
     pose_ = moved.pose;
     tally_.distance += moved.driven;
     stalled_ = moved.blocked;
@@ -232,18 +233,26 @@ void Robot::FindInTheWay(double reach, std::vector<Obstacle>& found) const {
   ground_->Obstacles(pose_, stand_, reach, bottom, top, flies, found);
 }
 
-MotionResult Robot::MoveOnGround(const Instant& now,
+Twist Robot::Worn(double step) {
+  const scene::WearDef& wear = def_.wear;
+  if (wear == scene::WearDef{}) return command_;
+  // The exact solution over a step is exp(-step / lag), which needs libm; this is its rational
+  // approximation, right to first order and stable for any step.
+  turning_ += (command_.w - turning_) * step / (step + wear.turn_lag);
+  return {command_.v, turning_ + wear.pull * command_.v, command_.side};
+}
+
+MotionResult Robot::MoveOnGround(const Instant& now, const Twist& told,
                                  std::span<const Obstacle* const> obstacles) const {
   thread_local std::vector<Obstacle> found;
   thread_local std::vector<const Obstacle*> in_the_way;
   found.clear();
   in_the_way.assign(obstacles.begin(), obstacles.end());
-  const double speed = std::sqrt(command_.v * command_.v + command_.side * command_.side);
+  const double speed = std::sqrt(told.v * told.v + told.side * told.side);
   FindInTheWay(footprint_.radius + speed * now.step + 0.01, found);
   // What the robot stands in lets it out, as physics would push it, but no deeper in.
   const std::vector<Vec2> start = footprint_.At(pose_);
-  const std::vector<Vec2> end =
-      footprint_.At(DriveArc(pose_, command_.v, command_.w, now.step, command_.side));
+  const std::vector<Vec2> end = footprint_.At(DriveArc(pose_, told.v, told.w, now.step, told.side));
   for (const Obstacle& obstacle : found) {
     const Obstacle* const one = &obstacle;
     if (!Collides(footprint_, pose_, {&one, 1})) {
@@ -252,8 +261,7 @@ MotionResult Robot::MoveOnGround(const Instant& now,
       return {pose_, true, 0.0};
     }
   }
-  return DriveUntilContact(footprint_, pose_, command_.v, command_.w, now.step, in_the_way,
-                           command_.side);
+  return DriveUntilContact(footprint_, pose_, told.v, told.w, now.step, in_the_way, told.side);
 }
 
 void Robot::Place(const Pose2& pose) {
@@ -261,6 +269,7 @@ void Robot::Place(const Pose2& pose) {
   Land(stand_.z);
   twist_ = {};
   command_ = {};
+  turning_ = 0.0;
   stalled_ = false;
   outline_old_ = true;
   if (!dynamic()) return;

@@ -158,7 +158,9 @@ class Robot {
 
  private:
   void Land(double from);
-  MotionResult MoveOnGround(const Instant& now, std::span<const Obstacle* const> obstacles) const;
+  MotionResult MoveOnGround(const Instant& now, const Twist& told,
+                            std::span<const Obstacle* const> obstacles) const;
+  Twist Worn(double step);  // what its wheels make of the command
   void PlaceAtStart();
   void Show();  // of body_ what the plane knows of it
   void Register(std::unique_ptr<Sensor> sensor);
@@ -178,6 +180,7 @@ class Robot {
   Orders orders_;
   std::vector<Surface> touches_;
   Twist command_;
+  double turning_ = 0.0;  // rad/s, of a worn robot: what its motors have come to
   Twist twist_;
   const Actuator* driver_ = nullptr;
   bool stalled_ = false;

@@ -1,5 +1,6 @@
 #include "sim/robots/s1r.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "sim/actuators/answers.h"
@@ -16,9 +17,14 @@
 namespace ccmorse::sim {
 
 void EquipS1R(Robot& robot, const scene::Scenario& scenario, const World& world, Canvas& canvas) {
-  robot.Add(std::make_unique<PoseSensor>(robot, "pose", scenario.seed));
-  robot.Add(std::make_unique<OdometrySensor>(robot, "odometry", scenario.seed));
   const scene::RobotDef& def = robot.def();
+  const auto has = [&def](const char* device) {
+    return std::find(def.without.begin(), def.without.end(), device) == def.without.end();
+  };
+  if (has("pose")) robot.Add(std::make_unique<PoseSensor>(robot, "pose", scenario.seed));
+  if (has("odometry")) {
+    robot.Add(std::make_unique<OdometrySensor>(robot, "odometry", scenario.seed));
+  }
   if (def.front == "laser") {
     robot.Add(std::make_unique<LaserScanner>(robot, "hokuyo", def.laser, world, scenario.seed));
   }
@@ -35,9 +41,9 @@ void EquipS1R(Robot& robot, const scene::Scenario& scenario, const World& world,
   }
   robot.Add(std::make_unique<RobotProperties>(robot, "properties", scenario));
   robot.Add(std::make_unique<MotionVW>(robot, "motion"));
-  robot.Add(std::make_unique<Waypoint>(robot, "waypoint"));
-  robot.Add(std::make_unique<Pen>(robot, "pen", canvas));
-  robot.Add(std::make_unique<Answers>(robot, "answers"));
+  if (has("waypoint")) robot.Add(std::make_unique<Waypoint>(robot, "waypoint"));
+  if (has("pen")) robot.Add(std::make_unique<Pen>(robot, "pen", canvas));
+  if (has("answers")) robot.Add(std::make_unique<Answers>(robot, "answers"));
 }
 
 }  // namespace ccmorse::sim

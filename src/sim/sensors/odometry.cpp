@@ -67,7 +67,9 @@ void OdometrySensor::Sample(const Instant& now) {
   }
   shown_ = moved_;
   rest_ = {};
+  // Speeds are what it counts a second, with the same errors.
   twist_ = robot().twist();
+  twist_ = {gain_.x * twist_.v, gain_.z * twist_.w, gain_.y * twist_.side};
   stalled_ = robot().stalled();
   DataChanged(now.time);
 }

@@ -13,7 +13,7 @@ namespace ccmorse::sim {
 /// (1.4 had both wrong). `stall` is ours: whether the robot's last motion was blocked. 60 Hz.
 /// The scenario may let it begin elsewhere and count with gain errors, which each run draws anew by
 /// its seed (specs: player.md C.3, odom_error); it then sums up what the robot moves from sample to
-/// sample.
+/// sample, and its speeds have the same errors.
 class OdometrySensor : public Sensor {
  public:
   OdometrySensor(Robot& robot, const std::string& name, std::uint64_t seed);

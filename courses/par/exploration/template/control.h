@@ -22,8 +22,9 @@ namespace imr {
 /// the map, and follows the plan of CExploration, which is the other thread.
 ///
 /// Once in PLAN_EVERY scans it hands a copy of the map out, and waits for the plan that answers it:
-/// so a plan begins where the robot is, and a run in lock-step is the same every time. A planner
-/// that takes longer than PATIENCE finds the robot standing. Public functions are for any thread.
+/// so a plan begins where the robot is, and a run in lock-step, where time waits for it, is the
+/// same every time. Elsewhere a planner that takes longer than PATIENCE finds the robot standing.
+/// Public functions are for any thread.
 class CControl : public imr::concurrent::CThread {
  public:
   static constexpr int PLAN_EVERY = 10;    ///< scans
@@ -73,10 +74,11 @@ class CControl : public imr::concurrent::CThread {
 #ifdef _MORSE
   std::unique_ptr<CCanvas> canvas;
 #endif
-  SPosition position;    // of this thread, as what follows
-  SPlan plan;            // the last one
-  bool drawn = false;    // whether it was drawn
-  std::size_t next = 0;  // the corner of plan.path that is driven to; 0 with a new plan
+  SPosition position;      // of this thread, as what follows
+  SPlan plan;              // the last one
+  bool drawn = false;      // whether it was drawn
+  bool timeWaits = false;  // no simulated time goes by while this thread waits
+  std::size_t next = 0;    // the corner of plan.path that is driven to; 0 with a new plan
 
   Mutex mtx;
   Condition changed;

@@ -48,6 +48,7 @@ CControl::CControl(const CConfig& config, CMapGrid& grid) : cfg(config), map(gri
   position2d = std::make_unique<CCMorse::Position2dProxy>(
       client.get(), static_cast<unsigned>(cfg.get<int>("position2d-index")));
 #ifdef _MORSE
+  timeWaits = client->GetMorseClient().GetPace() == "lockstep";
   canvas = std::make_unique<CCanvas>(client.get(), map.getWidth(), map.getHeight());
   // From the lowest to the topmost (figure 4.10).
   canvas->layer("map", CCanvas::Black);
@@ -107,8 +108,10 @@ void CControl::exchange() {
   due = true;
   answer.reset();
   changed.notify_all();
-  const auto patience = std::chrono::duration<double>(PATIENCE);
-  if (!changed.wait_for(lk, patience, [this] { return quit || answer != nullptr; })) {
+  const auto over = [this] { return quit || answer != nullptr; };
+  if (timeWaits) {
+    changed.wait(lk, over);
+  } else if (!changed.wait_for(lk, std::chrono::duration<double>(PATIENCE), over)) {
     WARN("No plan came in time; the robot waits.");
     plan.path.clear();
   }

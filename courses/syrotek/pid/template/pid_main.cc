@@ -18,25 +18,6 @@ constexpr double FIRST = 2.1;         // m, y of the first line
 constexpr double SECOND = 2.3;        // m, y of the second
 constexpr double FASTEST_TURN = 1.5;  // rad/s
 
-/// What the robot's turning, rad/s, becomes of the one wished for. In the simulator it is worn: it
-/// pulls to one side and turns late. A real robot has its own wear.
-class CWear {
- public:
-#ifdef _MORSE
-  double turned(double wish, double since) {
-    constexpr double PULL = -0.15;  // rad/s
-    constexpr double LAG = 0.3;     // s
-    turn += (wish - turn) * std::min(1.0, since / LAG);
-    return turn + PULL;
-  }
-
- private:
-  double turn = 0.0;  // rad/s
-#else
-  static double turned(double wish, double) { return wish; }
-#endif  // _MORSE
-};
-
 class CLineKeeper : public imr::CBehaviour {
  public:
   imr::SSpeed step(const imr::SSenses& senses, imr::CSketch& sketch) override {
@@ -52,7 +33,7 @@ class CLineKeeper : public imr::CBehaviour {
     // Never back: the line is to be crossed at an angle of less than 60 degrees.
     if (std::fabs(senses.pose.yaw) > 1.0 && wish * senses.pose.yaw > 0.0) wish = 0.0;
     wish = std::clamp(wish, -FASTEST_TURN, FASTEST_TURN);
-    return {ahead(senses.scan), wear.turned(wish, senses.since)};
+    return {ahead(senses.scan), wish};
   }
   bool done() const override { return finished; }
 
@@ -64,7 +45,6 @@ class CLineKeeper : public imr::CBehaviour {
   }
 
   CPid pid;
-  CWear wear;
   bool finished = false;
 };
 
