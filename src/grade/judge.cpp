@@ -463,12 +463,13 @@ class Measures {
   double GoalError() const {
     RequireDriven();
     double worst = 0.0;
-    for (const auto& [name, goals] : rubric_.reference.goals) {
-      const auto robot =
-          std::find_if(seen_.robots.begin(), seen_.robots.end(),
-                       [&](const RobotTrack& track) { return name.empty() || track.name == name; });
+    for (const auto& entry : rubric_.reference.goals) {
+      const std::string& name = entry.first;
+      const auto robot = std::find_if(
+          seen_.robots.begin(), seen_.robots.end(),
+          [&name](const RobotTrack& track) { return name.empty() || track.name == name; });
       if (robot == seen_.robots.end()) throw Error("there is no robot " + name + " with a goal");
-      worst = std::max(worst, GoalError(goals, robot->samples));
+      worst = std::max(worst, GoalError(entry.second, robot->samples));
     }
     return worst;
   }

@@ -265,10 +265,12 @@ std::vector<std::string> MakeWords(const CourseFiles& course, bool sandbox) {
 // The program lands where make puts it, too.
 std::vector<std::string> CmakeWords(const CourseFiles& course, const Submission& submission,
                                     bool sandbox) {
+  static const std::string script =
+      "cmake -B obj-cmake -D CCMorse_DIR=\"$1\" -D CCMORSE_LIBDIR=\"$2\" "
+      "-D CMAKE_RUNTIME_OUTPUT_DIRECTORY=\"$3\" && cmake --build obj-cmake -j 2";
   return {"/bin/sh",
           "-c",
-          "cmake -B obj-cmake -D CCMorse_DIR=\"$1\" -D CCMORSE_LIBDIR=\"$2\" "
-          "-D CMAKE_RUNTIME_OUTPUT_DIRECTORY=\"$3\" && cmake --build obj-cmake -j 2",
+          script,
           "sh",
           sandbox ? "/ccmorse/cmake" : course.cmake,
           sandbox ? "/ccmorse/lib" : course.libraries,
