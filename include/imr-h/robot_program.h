@@ -139,8 +139,11 @@ class CBehaviour {
 /// Connects to one robot for each behaviour, and drives until all are done, the time is over, the
 /// simulation ends or Ctrl-C.
 ///
-/// Robot k has the indexes 10 k (laser) and 10 k + --position2d-index. It draws the way of each in
-/// green, and the position itself in magenta (thesis, Fig. 4.8).
+/// Its indexes are 0 (laser), --wheels-index (what takes speeds) and --position2d-index (what tells
+/// the pose); in the simulator those of robot k are 10 k more, while real robots are a server each,
+/// robot k's at --port + k. On SyRoTek's robots the base is position2d:0,
+/// and position2d:2 the overhead camera, which drives nothing (specs: syrotek.md A). It draws the
+/// way of each in green, and the position itself in magenta (thesis, Fig. 4.8).
 class CRobotProgram {
  public:
   using Behaviours = std::vector<std::unique_ptr<CBehaviour>>;
@@ -154,9 +157,10 @@ class CRobotProgram {
                             "");
 #else
     config.add<std::string>("host", "syrotek server hostname", "syrotek.felk.cvut.cz");
-    config.add<int>("port", "syrotek server port", 38000);
+    config.add<int>("port", "syrotek server port; the next robot's is the next one", 38000);
 #endif  // _MORSE
     config.add<int>("position2d-index", "position2d index of the pose", position2d);
+    config.add<int>("wheels-index", "position2d index of what takes speeds", 0);
     config.add<double>("seconds", "seconds to drive, by the time of the scans; 0: until Ctrl-C",
                        0.0);
   }
@@ -186,22 +190,38 @@ class CRobotProgram {
   }
 
   /// Connects. Throws CCMorse::MorseError if there is no server or no such device.
-  CRobotProgram(const CConfig& config, Behaviours behaviours)
-      : cfg(config), client(cfg.get<std::string>("host"), cfg.get<int>("port")) {
+  CRobotProgram(const CConfig& config, Behaviours behaviours) : cfg(config) {
+    assert_argument(!behaviours.empty(), "there is no robot to drive");
     const int index = cfg.get<int>("position2d-index");
+    const int wheels = cfg.get<int>("wheels-index");
     assert_argument(index >= 0, "option --position2d-index must not be negative");
+    assert_argument(wheels >= 0, "option --wheels-index must not be negative");
     for (std::size_t k = 0; k < behaviours.size(); ++k) {
+#ifdef _MORSE
       const unsigned first = static_cast<unsigned>(10 * k);
+#else
+      const unsigned first = 0;
+#endif  // _MORSE
+      if (first == 0) {
+        clients.push_back(std::make_unique<CCMorse::PlayerClient>(
+            cfg.get<std::string>("host"), cfg.get<int>("port") + static_cast<int>(k)));
+      }
+      CCMorse::PlayerClient* const client = clients.back().get();
       SRobot robot;
       robot.behaviour = std::move(behaviours[k]);
-      robot.laser = std::make_unique<CCMorse::LaserProxy>(&client, first);
+      robot.laser = std::make_unique<CCMorse::LaserProxy>(client, first);
       robot.position =
-          std::make_unique<CCMorse::Position2dProxy>(&client, first + static_cast<unsigned>(index));
+          std::make_shared<CCMorse::Position2dProxy>(client, first + static_cast<unsigned>(index));
+      robot.wheels = robot.position;
+      if (wheels != index) {
+        robot.wheels = std::make_shared<CCMorse::Position2dProxy>(
+            client, first + static_cast<unsigned>(wheels));
+      }
       robots.push_back(std::move(robot));
     }
 #ifdef _MORSE
     // One cell is 2 cm of the arena.
-    canvas = std::make_unique<CCanvas>(&client, 172, 186);
+    canvas = std::make_unique<CCanvas>(clients.front().get(), 172, 186);
     sketch = std::make_unique<CSketch>(*canvas);
 #else
     sketch = std::make_unique<CSketch>();
@@ -231,10 +251,11 @@ class CRobotProgram {
   struct SRobot {
     std::unique_ptr<CBehaviour> behaviour;
     std::unique_ptr<CCMorse::LaserProxy> laser;
-    std::unique_ptr<CCMorse::Position2dProxy> position;
-    SPoint last;         // where its line has come to
-    double way = 0.0;    // m
-    double first = 0.0;  // time of the first scan, s
+    std::shared_ptr<CCMorse::Position2dProxy> position;  // tells where it is
+    std::shared_ptr<CCMorse::Position2dProxy> wheels;    // takes speeds; may be the same
+    SPoint last;                                         // where its line has come to
+    double way = 0.0;                                    // m
+    double first = 0.0;                                  // time of the first scan, s
     double time = -1.0;  // of the last scan since then, s; negative before the first
   };
 
@@ -249,11 +270,13 @@ class CRobotProgram {
 
   void loop() {
     const double limit = cfg.get<double>("seconds");
-    for (const SRobot& robot : robots) robot.position->SetMotorEnable(true);
+    for (const SRobot& robot : robots) robot.wheels->SetMotorEnable(true);
     for (bool over = false; !over;) {
       // All that has arrived: Read() waits for news, and so sets the pace of this loop.
-      client.Read();
-      while (client.Peek(0)) client.Read();
+      for (const auto& client : clients) {
+        client->Read();
+        while (client->Peek(0)) client->Read();
+      }
       bool moved = false;
       over = true;
       for (SRobot& robot : robots) {
@@ -289,7 +312,7 @@ class CRobotProgram {
     SSpeed speed;
     if (!robot.behaviour->done()) speed = robot.behaviour->step(senses, *sketch);
     if (robot.behaviour->done()) speed = {};
-    robot.position->SetSpeed(speed.v, speed.w);
+    robot.wheels->SetSpeed(speed.v, speed.w);
 
     const SPose* estimate = robot.behaviour->estimate();
     const SPose& shown = estimate != nullptr ? *estimate : senses.pose;
@@ -305,10 +328,11 @@ class CRobotProgram {
   // Stops the robots, and hands in what the task asks for.
   void finish() {
     for (const SRobot& robot : robots) {
-      robot.position->SetSpeed(0.0, 0.0);
+      robot.wheels->SetSpeed(0.0, 0.0);
       INFO("Drove " << robot.way << " m in " << std::max(0.0, robot.time) << " s");
     }
-    client.Read();  // takes the commands along, and shows what was drawn last
+    // Takes the commands along, and shows what was drawn last.
+    for (const auto& client : clients) client->Read();
 #ifdef _MORSE
     for (const SRobot& robot : robots) {
       const SPose* estimate = robot.behaviour->estimate();
@@ -330,7 +354,7 @@ class CRobotProgram {
 #endif  // _MORSE
 
   const CConfig& cfg;
-  CCMorse::PlayerClient client;
+  std::vector<std::unique_ptr<CCMorse::PlayerClient>> clients;
   std::vector<SRobot> robots;
 #ifdef _MORSE
   std::unique_ptr<CCanvas> canvas;

@@ -57,11 +57,7 @@ std::string TraceOverTcp(const std::string& scheme, const std::string& folder) {
   Simulator simulator({"syrotek", "--pace", "lockstep", "--headless", "--report",
                        folder + "/report.json", "--record", folder + "/run.mcap"});
   int port = simulator.port();
-  if (scheme == "player") {
-    const std::string key = "Player on 127.0.0.1 port ";
-    const auto line = simulator.process().WaitForLine(key);
-    port = line ? std::atoi(line->c_str() + key.size()) : 0;
-  }
+  if (scheme == "player") port = simulator.player_port();
   const std::string trace = TraceOf(scheme + "://127.0.0.1:" + std::to_string(port));
   simulator.process().Signal(SIGTERM);
   EXPECT_EQ(simulator.process().Wait(), 0);

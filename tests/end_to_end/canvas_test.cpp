@@ -27,17 +27,6 @@ using CCMorse::MorsePen;
 
 constexpr double kCell = 0.02;  // m
 
-int PlayerPort(Simulator& simulator) {
-  const std::string key = "Player on 127.0.0.1 port ";
-  std::size_t at = simulator.process().output().find(key);
-  if (at == std::string::npos && simulator.process().WaitForLine(key)) {
-    at = simulator.process().output().find(key);
-  }
-  return at == std::string::npos
-             ? 0
-             : std::atoi(simulator.process().output().c_str() + at + key.size());
-}
-
 /// One step of the drawing; places are cells.
 struct Step {
   enum class Kind { kPoints, kPolyline, kMultiline, kBox };
@@ -159,7 +148,7 @@ TEST(P13, TheCopyIsTheSameByEveryWayToTheCanvas) {
       {"libCCMorse by JSON", [](Simulator& simulator) { DrawByPen("json", simulator.port()); }},
       {"Graphics2dProxy, player://",
        [](Simulator& simulator) {
-         const int port = PlayerPort(simulator);
+         const int port = simulator.player_port();
          ASSERT_NE(port, 0) << simulator.process().output();
          DrawByGraphics("player://127.0.0.1:" + std::to_string(port), 1);  // 1: in the world
        }},

@@ -183,6 +183,61 @@ TEST(T04, EveryTasksScenarioLoads) {
   }
 }
 
+// T02: the same sources, built for the real robot, drive it by Player's protocol: the base takes
+// speeds at position2d:0, and :2 only tells where the robot is (specs: syrotek.md A).
+class T02 : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(T02, TheProgramForTheRealRobotDrivesItByPlayersProtocol) {
+  const auto& [program, task] = GetParam();
+  const TemporaryFolder folder;
+  const std::string report = folder.path() + "/report.json";
+  Simulator simulator({kCourses + task + "/scenario.json", "--pace", "lockstep", "--report", report,
+                       "--out", folder.path()});
+  const Finished driven = RunToEnd({BuiltProgram(program), "--host", "player://127.0.0.1", "--port",
+                                    std::to_string(simulator.player_port()), "--seconds", "20"},
+                                   std::chrono::seconds(120));
+  EXPECT_EQ(driven.status, 0) << driven.output;
+  simulator.process().Signal(2);
+  EXPECT_EQ(simulator.process().Wait(), 0) << simulator.process().output();
+  const Json robots = *Json::Parse(ReadFile(report)).Find("robots");
+  EXPECT_GT(robots.Find("s1r")->Find("distance")->AsDouble(), 1.0) << driven.output;
+  EXPECT_EQ(robots.Find("s1r")->Find("contacts")->AsInt(), 0) << driven.output;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Solutions, T02,
+    ::testing::Values(std::pair("intro-wall-following-syrotek", "par/intro"),
+                      std::pair("intro-braitenberg-syrotek", "par/intro"),
+                      std::pair("explorer-nearest-frontier-syrotek", "par/exploration"),
+                      std::pair("wall-following-pd-syrotek", "syrotek/wall_following"),
+                      std::pair("dead-reckoning-calibrated-syrotek", "syrotek/dead_reckoning"),
+                      std::pair("pid-tuned-syrotek", "syrotek/pid"),
+                      std::pair("trajectory-kanayama-syrotek", "syrotek/trajectory")),
+    [](const auto& each) {
+      std::string name = each.param.first;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
+
+// On the real robot SND is a driver of the server: position2d:1.
+TEST(T02Planner, DrivesTheRealRobotToItsGoalByPlayersProtocol) {
+  const TemporaryFolder folder;
+  const std::string report = folder.path() + "/report.json";
+  Simulator simulator({kCourses + "par/planning/scenario.json", "--pace", "lockstep", "--report",
+                       report, "--out", folder.path()});
+  const Finished driven =
+      RunToEnd({BuiltProgram("planner-dijkstra-syrotek"), "--host", "player://127.0.0.1", "--port",
+                std::to_string(simulator.player_port()), "--map",
+                kCourses + "par/planning/maps/arena.txt", "--drive"},
+               std::chrono::seconds(120));
+  EXPECT_EQ(driven.status, 0) << driven.output;
+  simulator.process().Signal(2);
+  EXPECT_EQ(simulator.process().Wait(), 0) << simulator.process().output();
+  const Json robots = *Json::Parse(ReadFile(report)).Find("robots");
+  EXPECT_GT(robots.Find("s1r")->Find("distance")->AsDouble(), 5.0) << driven.output;
+  EXPECT_EQ(robots.Find("s1r")->Find("contacts")->AsInt(), 0) << driven.output;
+}
+
 // T15: two implementations of each task of the course.
 TEST(T15, ThereAreTwoSolutionsOfEachTask) {
   for (const char* program :

@@ -42,10 +42,8 @@ class Examples : public ::testing::TestWithParam<const char*> {
     Finished finished;
     if (std::string(GetParam()) == "player") {
       Simulator simulator({scenario, "--pace", "lockstep", "--headless", "--report", report});
-      const std::string key = "Player on 127.0.0.1 port ";
-      const auto line = simulator.process().WaitForLine(key);
       command.push_back("player://127.0.0.1");
-      command.push_back(line ? std::to_string(std::atoi(line->c_str() + key.size())) : "");
+      command.push_back(std::to_string(simulator.player_port()));
       add();
       finished = RunToEnd(command);
       simulator.process().Signal(SIGTERM);

@@ -113,6 +113,14 @@ Simulator::Simulator(std::vector<std::string> arguments)
   port_ = std::atoi(line->c_str() + key.size());
 }
 
+int Simulator::player_port() {
+  const std::string key = "Player on 127.0.0.1 port ";
+  if (player_port_ != 0) return player_port_;
+  const auto line = process_.WaitForLine(key);
+  player_port_ = line ? std::atoi(line->c_str() + key.size()) : 0;
+  return player_port_;
+}
+
 TemporaryFile::TemporaryFile(const std::string& ending, const std::string& content) {
   std::string name = (std::filesystem::temp_directory_path() / "ccmorse_XXXXXX").string() + ending;
   const int file = ::mkstemps(name.data(), static_cast<int>(ending.size()));

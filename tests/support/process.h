@@ -62,11 +62,14 @@ class Simulator {
   /// output when it does not.
   explicit Simulator(std::vector<std::string> arguments);
   int port() const { return port_; }
+  /// Of the Player server of its first robot; 0 when there is none.
+  int player_port();
   Process& process() { return process_; }
 
  private:
   Process process_;
   int port_ = 0;
+  int player_port_ = 0;
 };
 
 /// A file that goes with the object.

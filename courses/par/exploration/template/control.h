@@ -70,7 +70,8 @@ class CControl : public imr::concurrent::CThread {
   CMapGrid& map;
   std::unique_ptr<CCMorse::PlayerClient> client;
   std::unique_ptr<CCMorse::LaserProxy> laser;
-  std::unique_ptr<CCMorse::Position2dProxy> position2d;
+  std::unique_ptr<CCMorse::Position2dProxy> position2d;  // tells where the robot is
+  std::unique_ptr<CCMorse::Position2dProxy> wheels;      // takes speeds
 #ifdef _MORSE
   std::unique_ptr<CCanvas> canvas;
 #endif

@@ -37,6 +37,7 @@ CConfig& CControl::getConfig(CConfig& config) {
   config.add<int>("port", "syrotek server port", 38000);
 #endif  // _MORSE
   config.add<int>("position2d-index", "position2d index of the pose in the arena", 2);
+  config.add<int>("wheels-index", "position2d index of what takes speeds", 0);
   config.add<double>("seconds", "explore no longer than this, by the time of the scans", 400.0);
   return config;
 }
@@ -47,6 +48,8 @@ CControl::CControl(const CConfig& config, CMapGrid& grid) : cfg(config), map(gri
   laser = std::make_unique<CCMorse::LaserProxy>(client.get(), 0);
   position2d = std::make_unique<CCMorse::Position2dProxy>(
       client.get(), static_cast<unsigned>(cfg.get<int>("position2d-index")));
+  wheels = std::make_unique<CCMorse::Position2dProxy>(
+      client.get(), static_cast<unsigned>(cfg.get<int>("wheels-index")));
 #ifdef _MORSE
   timeWaits = client->GetMorseClient().GetPace() == "lockstep";
   canvas = std::make_unique<CCanvas>(client.get(), map.getWidth(), map.getHeight());
@@ -146,7 +149,7 @@ void CControl::main() {
   const double limit = cfg.get<double>("seconds");
   double start = -1.0;
   int scans = 0;
-  position2d->SetMotorEnable(true);
+  wheels->SetMotorEnable(true);
   for (bool over = false; !over;) {
     client->Read();
     while (client->Peek(0)) client->Read();
@@ -158,14 +161,14 @@ void CControl::main() {
     double v = 0.0;
     double w = 0.0;
     followPath(v, w);
-    position2d->SetSpeed(v, w);
+    wheels->SetSpeed(v, w);
     draw();
     if (start < 0.0) start = laser->GetDataTime();
     ScopedLock lk(mtx);
     seconds = laser->GetDataTime() - start;
     over = quit || explored || seconds >= limit;
   }
-  position2d->SetSpeed(0.0, 0.0);
+  wheels->SetSpeed(0.0, 0.0);
   client->Read();  // takes the command along, and shows what was drawn last
 #ifdef _MORSE
   submit(*client, map);

@@ -11,13 +11,14 @@
 #include "imr-h/imr_exceptions.h"
 #include "imr-h/logging.h"
 #include "libCCMorse/MorseError.h"
-#include "libCCMorse/SndDriver.h"
 #include "planner.h"
 #ifdef _MORSE
 #include "imr-h/canvas.h"
 #include "libCCMorse/CCMorse.h"
+#include "libCCMorse/SndDriver.h"
 #else
 #include "libPlayer/PlayerClient.h"
+#include "libPlayer/Position2dProxy.h"
 #endif
 
 namespace {
@@ -80,15 +81,56 @@ void submit(CCMorse::PlayerClient& client, const imr::CMapGrid& map, const imr::
 }
 #endif  // _MORSE
 
+constexpr double PATIENCE = 60.0;  // s to the next corner
+
+#ifdef _MORSE
+// The driver runs within this program.
+class CSnd {
+ public:
+  explicit CSnd(CCMorse::PlayerClient& client) : snd(&client) { snd.Start(); }
+  bool reach(double x, double y, double yaw) {
+    snd.GoTo(x, y, yaw);
+    return snd.WaitForArrival(PATIENCE);
+  }
+
+ private:
+  CCMorse::SndDriver snd;
+};
+#else
+// The driver runs in the robot's server, as position2d:1; position2d:2 is the overhead camera.
+class CSnd {
+ public:
+  explicit CSnd(CCMorse::PlayerClient& to) : client(to), snd(&to, 1), camera(&to, 2) {
+    snd.SetMotorEnable(true);
+  }
+  bool reach(double x, double y, double yaw) {
+    constexpr double NEAR = 0.1;  // m
+    snd.GoTo(x, y, yaw);
+    double begin = -1.0;
+    for (;;) {
+      client.Read();
+      if (!camera.IsFresh()) continue;
+      camera.NotFresh();
+      if (begin < 0.0) begin = camera.GetDataTime();
+      if (std::hypot(camera.GetXPos() - x, camera.GetYPos() - y) < NEAR) return true;
+      if (camera.GetDataTime() - begin > PATIENCE) return false;
+    }
+  }
+
+ private:
+  CCMorse::PlayerClient& client;
+  CCMorse::Position2dProxy snd;
+  CCMorse::Position2dProxy camera;
+};
+#endif  // _MORSE
+
 // Drives from corner to corner with the SND driver, which keeps clear of what the laser sees.
 bool drive(CCMorse::PlayerClient& client, const imr::CMapGrid& map, const imr::CPlanner& planner) {
-  CCMorse::SndDriver snd(&client);
-  snd.Start();
+  CSnd snd(client);
   const std::vector<imr::SCell>& path = planner.getSmoothPath();
   for (std::size_t i = 1; i < path.size(); ++i) {
     const double yaw = std::atan2(path[i].y - path[i - 1].y, path[i].x - path[i - 1].x);
-    snd.GoTo(map.getPosX(path[i].x), map.getPosY(path[i].y), yaw);
-    if (!snd.WaitForArrival(60.0)) {
+    if (!snd.reach(map.getPosX(path[i].x), map.getPosY(path[i].y), yaw)) {
       WARN("The robot did not reach corner " << i << " of " << path.size() - 1);
       return false;
     }

@@ -71,6 +71,10 @@ void Position2d::Step() {
   wire::Position2dData data;
   data.pos = {pose_.x, pose_.y, pose_.yaw};
   data.vel = {twist.v, 0.0, twist.w};
+  // An odometry counts speeds with the errors that it counts ways with.
+  if (sensor_.number_form() == sim::NumberForm::kOdometry) {
+    data.vel = {numbers_[6], 0.0, numbers_[11]};
+  }
   data.stall = robot_.stalled() ? 1 : 0;
   Publish(wire::kPosition2dDataState, sensor_.timestamp(), wire::Body::Of(data));
 }
