@@ -275,7 +275,10 @@ class CRobotProgram {
       // All that has arrived: Read() waits for news, and so sets the pace of this loop.
       for (const auto& client : clients) {
         client->Read();
+#ifdef _MORSE
+        // Player's server sends the newest when asked; Peek() would ask before the command is out.
         while (client->Peek(0)) client->Read();
+#endif  // _MORSE
       }
       bool moved = false;
       over = true;

@@ -152,7 +152,10 @@ void CControl::main() {
   wheels->SetMotorEnable(true);
   for (bool over = false; !over;) {
     client->Read();
+#ifdef _MORSE
+    // Player's server sends the newest when asked; Peek() would ask before the command is out.
     while (client->Peek(0)) client->Read();
+#endif  // _MORSE
     if (!laser->IsFresh() || !laser->IsValid() || !position2d->IsValid()) continue;
     laser->NotFresh();
     position = {position2d->GetXPos(), position2d->GetYPos(), position2d->GetYaw()};
