@@ -185,23 +185,30 @@ TEST(T04, EveryTasksScenarioLoads) {
 
 // T02: the same sources, built for the real robot, drive it by Player's protocol: the base takes
 // speeds at position2d:0, and :2 only tells where the robot is (specs: syrotek.md A).
-class T02 : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
 
-TEST_P(T02, TheProgramForTheRealRobotDrivesItByPlayersProtocol) {
-  const auto& [program, task] = GetParam();
+// Runs a program to its end; it has to drive more than `least` m and to touch nothing.
+void DriveByPlayer(const std::string& program, const std::string& task, double least,
+                   const std::vector<std::string>& options) {
   const TemporaryFolder folder;
   const std::string report = folder.path() + "/report.json";
   Simulator simulator({kCourses + task + "/scenario.json", "--pace", "lockstep", "--report", report,
                        "--out", folder.path()});
-  const Finished driven = RunToEnd({BuiltProgram(program), "--host", "player://127.0.0.1", "--port",
-                                    std::to_string(simulator.player_port()), "--seconds", "20"},
-                                   std::chrono::seconds(120));
+  std::vector<std::string> command = {BuiltProgram(program), "--host", "player://127.0.0.1",
+                                      "--port", std::to_string(simulator.player_port())};
+  command.insert(command.end(), options.begin(), options.end());
+  const Finished driven = RunToEnd(command, std::chrono::seconds(120));
   EXPECT_EQ(driven.status, 0) << driven.output;
   simulator.process().Signal(2);
   EXPECT_EQ(simulator.process().Wait(), 0) << simulator.process().output();
   const Json robots = *Json::Parse(ReadFile(report)).Find("robots");
-  EXPECT_GT(robots.Find("s1r")->Find("distance")->AsDouble(), 1.0) << driven.output;
+  EXPECT_GT(robots.Find("s1r")->Find("distance")->AsDouble(), least) << driven.output;
   EXPECT_EQ(robots.Find("s1r")->Find("contacts")->AsInt(), 0) << driven.output;
+}
+
+class T02 : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(T02, TheProgramForTheRealRobotDrivesItByPlayersProtocol) {
+  DriveByPlayer(GetParam().first, GetParam().second, 1.0, {"--seconds", "20"});
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -221,21 +228,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 // On the real robot SND is a driver of the server: position2d:1.
 TEST(T02Planner, DrivesTheRealRobotToItsGoalByPlayersProtocol) {
-  const TemporaryFolder folder;
-  const std::string report = folder.path() + "/report.json";
-  Simulator simulator({kCourses + "par/planning/scenario.json", "--pace", "lockstep", "--report",
-                       report, "--out", folder.path()});
-  const Finished driven =
-      RunToEnd({BuiltProgram("planner-dijkstra-syrotek"), "--host", "player://127.0.0.1", "--port",
-                std::to_string(simulator.player_port()), "--map",
-                kCourses + "par/planning/maps/arena.txt", "--drive"},
-               std::chrono::seconds(120));
-  EXPECT_EQ(driven.status, 0) << driven.output;
-  simulator.process().Signal(2);
-  EXPECT_EQ(simulator.process().Wait(), 0) << simulator.process().output();
-  const Json robots = *Json::Parse(ReadFile(report)).Find("robots");
-  EXPECT_GT(robots.Find("s1r")->Find("distance")->AsDouble(), 5.0) << driven.output;
-  EXPECT_EQ(robots.Find("s1r")->Find("contacts")->AsInt(), 0) << driven.output;
+  DriveByPlayer("planner-dijkstra-syrotek", "par/planning", 5.0,
+                {"--map", kCourses + "par/planning/maps/arena.txt", "--drive"});
 }
 
 // T15: two implementations of each task of the course.

@@ -62,6 +62,19 @@ Graded Grade(const std::string& task, const std::string& submission,
   return graded;
 }
 
+// Grades a class of the task for tests, a world each.
+std::vector<std::string> ClassCommand(const std::string& students, const std::string& out) {
+  return {BuiltProgram("ccmorse"),
+          "grade",
+          kHere + "/task",
+          "--class",
+          students,
+          "--out",
+          out,
+          "--seeds",
+          "1"};
+}
+
 // Submissions link the library of this build, which under a sanitizer needs its run time first and
 // more memory than any limit; and a machine may forbid namespaces.
 class GradeTest : public ::testing::Test {
@@ -217,15 +230,7 @@ TEST_F(GradeTest, WhoHandsInAnewIsGradedAnew) {
   for (const char* name : {"anna", "bert"}) {
     fs::copy(kHere + "/good", students + "/" + name, fs::copy_options::recursive);
   }
-  const std::vector<std::string> command = {BuiltProgram("ccmorse"),
-                                            "grade",
-                                            kHere + "/task",
-                                            "--class",
-                                            students,
-                                            "--out",
-                                            folder.path() + "/out",
-                                            "--seeds",
-                                            "1"};
+  const std::vector<std::string> command = ClassCommand(students, folder.path() + "/out");
   ASSERT_EQ(RunToEnd(command).status, 0);
   fs::copy(kHere + "/hostile/crash", students + "/bert",
            fs::copy_options::recursive | fs::copy_options::overwrite_existing);
@@ -331,15 +336,7 @@ TEST_F(GradeTest, AClassIsGradedResumedAndNoneStopsIt) {
   fs::copy(kHere + "/good", students + "/anna", fs::copy_options::recursive);
   fs::copy(kHere + "/hostile/crash", students + "/bert", fs::copy_options::recursive);
   fs::create_directories(students + "/empty");
-  const std::vector<std::string> command = {BuiltProgram("ccmorse"),
-                                            "grade",
-                                            kHere + "/task",
-                                            "--class",
-                                            students,
-                                            "--out",
-                                            folder.path() + "/out",
-                                            "--seeds",
-                                            "1"};
+  const std::vector<std::string> command = ClassCommand(students, folder.path() + "/out");
   const Finished first = RunToEnd(command);
   ASSERT_EQ(first.status, 0) << first.output;
   const std::string csv = ReadFile(folder.path() + "/out/class.csv");
