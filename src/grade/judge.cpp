@@ -267,10 +267,8 @@ class Measures {
     return seen_.gap;
   }
 
-  double Coverage() const {
-    const Vec2 start{Samples().front().pose.x, Samples().front().pose.y};
-    const Grid floor = ReachableFloor(info_.scenario.world, start);
-    Grid middles(floor.width, floor.height);
+  double Coverage() {
+    Grid middles(Floor().width, Floor().height);
     for (std::size_t i = 0; i < Samples().size(); ++i) {
       // Straight from sample to sample, so that a fast robot leaves no holes.
       const Pose2& to = Samples()[i].pose;
@@ -282,13 +280,26 @@ class Measures {
         middles.Set(CellOf({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)}));
       }
     }
-    const Grid covered = Grown(middles, kDilation);
-    int visited = 0;
-    for (std::size_t i = 0; i < floor.cells.size(); ++i) {
-      visited += floor.cells[i] != 0 && covered.cells[i] != 0 ? 1 : 0;
+    return ShareOfFloor(Grown(middles, kDilation));
+  }
+
+  // What the robot could come to from its start.
+  const Grid& Floor() {
+    if (!floor_) {
+      const Vec2 start{Samples().front().pose.x, Samples().front().pose.y};
+      floor_ = ReachableFloor(info_.scenario.world, start);
     }
-    const int all = floor.Count();
-    return all == 0 ? 0.0 : static_cast<double>(visited) / all;
+    return *floor_;
+  }
+
+  // The share of it that is set in `cells`.
+  double ShareOfFloor(const Grid& cells) {
+    int set = 0;
+    for (std::size_t i = 0; i < Floor().cells.size(); ++i) {
+      set += Floor().cells[i] != 0 && cells.cells[i] != 0 ? 1 : 0;
+    }
+    const int all = Floor().Count();
+    return all == 0 ? 0.0 : static_cast<double>(set) / all;
   }
 
   const std::string& Answer(const char* name) const {
@@ -347,22 +358,24 @@ class Measures {
         if (!free.Has(CellOf(path[i - 1] + share * along))) blocked += step;
       }
     }
-    return std::max(0.0, 1.0 - blocked / BestLength(free));
+    best_length_ = ShortestWay(free, route.start, route.goal) * kCell;
+    return std::max(0.0, 1.0 - blocked / best_length_);
   }
 
-  // m, of the oracle's way.
-  double BestLength(const Grid& free) {
-    return ShortestWay(free, TheRoute().start, TheRoute().goal) * kCell;
+  // `why`: what there is not of a path that is not valid. Afterwards best_length_ is known.
+  void RequireValidPath(const char* why) {
+    const MeasureValue& valid = Of("path_valid");
+    if (!valid.value) throw Error(valid.why);
+    if (*valid.value < 0.99) throw Error(why);
   }
 
   double LengthRatio() {
-    if (PathValid() < 0.99) throw Error("a path through walls has no length to be compared");
-    const Grid free = Inverted(Grown(PlannersMap(info_.scenario.world), kDilation));
-    return LengthOf(Path()) / BestLength(free);
+    RequireValidPath("a path through walls has no length to be compared");
+    return LengthOf(Path()) / best_length_;
   }
 
   double Turning() {
-    if (PathValid() < 0.99) throw Error("a path through walls has no turns to be counted");
+    RequireValidPath("a path through walls has no turns to be counted");
     double turned = 0.0;
     std::optional<double> before;
     for (std::size_t i = 1; i < Path().size(); ++i) {
@@ -384,22 +397,12 @@ class Measures {
     } catch (const Error& error) {
       throw Error(fmt::format("the map is no good: {}", error.what()));
     }
-    const Vec2 start{Samples().front().pose.x, Samples().front().pose.y};
     const scene::World& world = info_.scenario.world;
     judgement_.map = PictureOf(map, world, seen_.seen);
-    return map_.emplace(CompareMap(map, world, ReachableFloor(world, start), seen_.seen));
+    return map_.emplace(CompareMap(map, world, Floor(), seen_.seen));
   }
 
-  double Explored() const {
-    const Vec2 start{Samples().front().pose.x, Samples().front().pose.y};
-    const Grid floor = ReachableFloor(info_.scenario.world, start);
-    int seen = 0;
-    for (std::size_t i = 0; i < floor.cells.size(); ++i) {
-      seen += floor.cells[i] != 0 && seen_.seen.cells[i] != 0 ? 1 : 0;
-    }
-    const int all = floor.Count();
-    return all == 0 ? 0.0 : static_cast<double>(seen) / all;
-  }
+  double Explored() { return ShareOfFloor(seen_.seen); }
 
   // From when the robot first was as far from a wall as it is to be, or 10 s have gone by.
   double WallError() const {
@@ -496,6 +499,8 @@ class Measures {
   Judgement& judgement_;
   std::map<std::string, MeasureValue> known_;
   std::optional<MapScores> map_;
+  std::optional<Grid> floor_;
+  double best_length_ = 0.0;  // m, of the oracle's way
 };
 
 CriterionResult JudgeCriterion(const Criterion& criterion, Measures& measures) {
